@@ -1,0 +1,67 @@
+// Runs kernels against their oracles: hard cases, random trials, poison and guards, bounds, shrinking, mutants.
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/device/device.h"
+#include "harness/kernel.h"
+
+namespace assay::check {
+
+struct Options {
+  std::vector<std::string> kernels = {};  // empty: all
+  std::string variant = {};               // name or label; empty: all
+  std::string case_name = {};             // a hard case, a fixture of the kernel, or a path to a case file; empty: all
+  std::optional<uint64_t> seed = {};      // one random trial
+  uint32_t trials = 50;
+  bool hard = true;                       // run the hard cases
+  bool nightly = false;                   // the large ones too, and oracles unsampled
+  std::filesystem::path fixtures = "fixtures", failures = "out/failures";
+  std::function<void(const std::string& what, uint64_t done, uint64_t of)> progress = {};
+};
+
+struct BoundResult {
+  std::string name;
+  double limit = 0, worst = 0;
+  std::string reason;
+};
+struct Failure {
+  std::string text;    // kernel, variant, case, seed, element, expected, got, bound
+  std::string replay;  // the command that repeats it
+  std::filesystem::path file;  // the shrunk case
+};
+struct VariantResult {
+  std::string name;  // label with constants
+  bool baseline = false;
+  std::string skipped;  // the reason; empty: it ran
+  uint64_t trials = 0, cases = 0, violations = 0, judged = 0, undecided = 0;
+  uint64_t flaky = 0;   // device lost and repeated with success
+  std::vector<BoundResult> bounds;
+  std::vector<Failure> failures;  // the first few
+};
+struct KernelResult {
+  std::string name;
+  std::vector<VariantResult> variants;
+  std::map<std::string, uint64_t> branches;     // how often each fired
+  std::vector<std::string> complaints;          // starved branches, too few large trials, validation messages
+};
+bool passed(const std::vector<KernelResult>&);
+
+// May replace the device after a loss.
+std::vector<KernelResult> check(device::Handle&, const device::Options&, const Options&);
+
+struct MutantResult {
+  std::string kernel, variant, file, fault, killed_by;  // killed_by: the case that did; empty: survived
+  uint32_t n = 0;
+};
+// Each mutant in every variant that uses its file, against its named case first, then every hard case, then trials.
+std::vector<MutantResult> mutate(device::Handle&, const device::Options&, const std::vector<std::string>& kernels, uint32_t trials);
+
+// Case files: JSON, words in hexadecimal. Broken ones throw std::runtime_error with one line.
+void save_case(const std::filesystem::path&, const Kernel&, const Case&);
+Case load_case(const std::filesystem::path&, const Kernel&);
+
+}  // namespace assay::check

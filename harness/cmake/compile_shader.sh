@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# compile_shader.sh GLSLANG SPIRV_VAL ROOT KERNEL SHADER ID OUT: GLSL to a C++ table of SPIR-V words, one entry as
+# written and one for every MUTANT_n that the shader or a file it includes mentions; OUT.d lists what it read.
+set -euo pipefail
+glslang=$1 spirv_val=$2 root=$3 kernel=$4 shader=$5 id=$6 out=$7
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+compile() { # MUTANT EXTRA...
+  local spv=$work/$1.spv
+  shift
+  "$glslang" -V --target-env vulkan1.3 --quiet -I"$root" "-P#extension GL_GOOGLE_include_directive : require" "$@" -o "$spv" "$shader" ||
+    { echo "$shader: does not compile" >&2; exit 1; }
+  "$spirv_val" --target-env vulkan1.3 --scalar-block-layout "$spv"
+}
+
+compile 0 --depfile "$work/d"
+sed "s|^[^:]*:|$out:|" "$work/d" >"$out.d"
+mapfile -t read < <(sed 's/^[^:]*://; s/\\$//' "$work/d" | tr ' ' '\n' | grep . | sort -u)
+mapfile -t mutants < <(cat "$shader" "${read[@]}" | grep -oE '\bMUTANT_[0-9]+' | sed 's/MUTANT_//' | sort -un)
+for n in "${mutants[@]}"; do compile "$n" "-DMUTANT_$n"; done
+
+{
+  echo '#include "harness/device/device.h"'
+  for n in 0 "${mutants[@]}"; do
+    echo "static const uint32_t words_$n[] = {"
+    od -An -v -tx4 -w32 "$work/$n.spv" | sed -E 's/ ([0-9a-f]{8})/0x\1,/g'
+    echo '};'
+  done
+  echo 'static const assay::device::Shader table[] = {'
+  for n in 0 "${mutants[@]}"; do echo "    {\"$kernel\", \"$(basename "$shader")\", $n, words_$n},"; done
+  echo '};'
+  echo "extern const std::span<const assay::device::Shader> $id;"
+  echo "const std::span<const assay::device::Shader> $id = table;"
+} >"$out"

@@ -1,0 +1,109 @@
+// A scene as the renderer sees it, whatever file or code it came from. World: metres, right-handed, y up (glTF).
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/formats/features.h"
+#include "harness/formats/scene.h"
+#include "harness/kernel.h"
+
+namespace assay::scene {
+
+constexpr uint32_t kNone = 0xffffffffu;
+
+struct Image {  // RGBA8, rows top to bottom
+  std::string name;
+  uint32_t width = 0, height = 0;
+  std::vector<uint8_t> rgba;
+};
+
+enum class AlphaMode { opaque, masked, blended };
+
+struct Material {
+  std::string name;
+  glm::vec4 base_colour = {1, 1, 1, 1};  // linear
+  float metallic = 1, roughness = 1;
+  glm::vec3 emissive = {0, 0, 0};
+  uint32_t base_image = kNone, normal_image = kNone, metallic_roughness_image = kNone, occlusion_image = kNone,
+           emissive_image = kNone;
+  AlphaMode alpha = AlphaMode::opaque;
+  float alpha_cutoff = 0.5f;
+  bool double_sided = false;
+  uint32_t features = 0;  // beyond those that follow from the rest
+};
+
+struct Part {  // triangles of one material
+  uint32_t first_index = 0, index_count = 0, material = 0;
+};
+struct Mesh {
+  std::string name;
+  std::vector<glm::vec3> positions;
+  std::vector<VertexAttributes> attributes;
+  std::vector<uint32_t> indices;
+  std::vector<Part> parts;
+};
+struct Instance {
+  uint32_t mesh = 0;
+  glm::dmat4 to_world = glm::dmat4(1);
+};
+
+enum class LightKind { directional, point, spot };
+struct Light {  // KHR_lights_punctual: candela, or lux for directional; range 0 is unlimited
+  LightKind kind = LightKind::point;
+  glm::dvec3 position = {};
+  glm::vec3 direction = {0, 0, -1}, colour = {1, 1, 1};
+  float intensity = 1, range = 0, inner_rad = 0, outer_rad = 0.785398f;
+};
+struct Camera {  // looks along -z of its own axes, x right, y up
+  std::string name;
+  glm::dvec3 eye = {};
+  glm::dquat orientation = {1, 0, 0, 0};
+  double vertical_fov_rad = 0.785398;
+  double near_plane = 0.1;
+};
+
+struct Scene {
+  std::string name;
+  std::vector<Image> images;
+  std::vector<Material> materials;
+  std::vector<Mesh> meshes;
+  std::vector<Instance> instances;
+  std::vector<Light> lights;
+  std::vector<Camera> cameras;
+};
+
+// A built-in name (bare, small) or a .gltf or .glb file. Broken files throw std::runtime_error: file, place, what.
+Scene load(const std::string& name_or_file);
+Scene load_gltf(const std::filesystem::path&);
+Scene bare();   // one triangle, one material
+Scene small();  // CI: floor, columns, masked foliage cards, instances, a mirrored instance, a spot and a point light
+// The file's first camera, or one that sees the whole scene from outside (from inside for an atrium such as Sponza's).
+Camera default_camera(const Scene&);
+
+// What the first passes of a frame read. Transforms are camera-relative, the subtraction in double.
+struct Gathered {
+  SceneCounts counts = {};
+  std::vector<glm::vec3> positions;
+  std::vector<VertexAttributes> attributes;
+  std::vector<uint32_t> indices;
+  std::vector<SurfaceRecord> surfaces;
+  std::vector<DrawCommand> draws;   // by bucket (formats/scene.h); instances of one mesh part are one command
+  std::vector<MaterialRecord> materials;
+  std::vector<Texture> textures;    // one array a (size, format)
+  std::vector<uint32_t> surface_instance, surface_part;  // back to the scene, for reference renderers
+  std::vector<std::string> notes;   // what was left out and why: culled instances, blended materials
+};
+Gathered gather(const Scene&, const Camera&, Extent);
+
+// Row-major clip rows of a camera: x, y, w of Vulkan clip space (y down) for camera-relative world coordinates.
+struct ClipRows {
+  glm::dvec4 x, y, w;
+};
+ClipRows clip_rows(const Camera&, Extent);
+
+}  // namespace assay::scene
