@@ -322,6 +322,8 @@ struct Kernel {
   std::function<Case(Extent)> typical;  // the benchmark's input at an extent
   std::vector<Extent> extents;          // benchmarked, the first is CI's
   std::function<Case(const FrameInputs&)> frame = {};  // parameters and producerless inputs in the frame; empty: not in it
+  double undecided_limit = 1e-4;      // share of elements judged by `between` in random trials that may be undecided
+  std::string undecided_reason = {};  // why it is another than the rule's 1e-4
 };
 
 // Every kernel folder, sorted by name. Defined in the generated registry.
