@@ -2,6 +2,7 @@
 #include <stdexcept>
 
 #include "harness/kernel.h"
+#include "harness/nearest.h"
 #include "harness/oracle.h"
 
 namespace assay {
@@ -74,9 +75,14 @@ const Kernel& kernel_named(const std::string& name) {
   const auto& all = all_kernels();
   const auto it = std::ranges::find(all, name, &Kernel::name);
   if (it != all.end()) return *it;
-  const auto nearest = std::ranges::min_element(all, {}, [&](const Kernel& k) { return edit_distance(k.name, name); });
-  throw std::invalid_argument("no kernel '" + name + "'" +
-                              (nearest == all.end() ? "" : "; did you mean '" + nearest->name + "'?"));
+  std::vector<std::string> there;
+  for (const Kernel& k : all) there.push_back(k.name);
+  throw std::invalid_argument("no kernel '" + name + "'" + did_you_mean(name, there));
+}
+
+std::string did_you_mean(const std::string& name, std::span<const std::string> there) {
+  const auto nearest = std::ranges::min_element(there, {}, [&](const auto& t) { return edit_distance(t, name); });
+  return nearest == there.end() ? "" : "; did you mean '" + *nearest + "'?";
 }
 
 const Port& port_of(const Kernel& kernel, const std::string& name) {
