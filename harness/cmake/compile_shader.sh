@@ -6,15 +6,26 @@ glslang=$1 spirv_val=$2 root=$3 kernel=$4 shader=$5 id=$6 out=$7
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
+# Debian 12's glslang has no preamble option: a copy whose second line switches #include on, and whose lines keep their
+# numbers and name.
+copy=$work/$(basename "$shader")
+{
+  head -n 1 "$shader"
+  echo '#extension GL_GOOGLE_include_directive : require'
+  echo "#line 2 \"$shader\""
+  tail -n +2 "$shader"
+} >"$copy"
+
 compile() { # MUTANT EXTRA...
   local spv=$work/$1.spv
   shift
-  "$glslang" -V --target-env vulkan1.3 --quiet -I"$root" "-P#extension GL_GOOGLE_include_directive : require" "$@" -o "$spv" "$shader" ||
+  "$glslang" -V --target-env vulkan1.3 --quiet -I"$root" "$@" -o "$spv" "$copy" ||
     { echo "$shader: does not compile" >&2; exit 1; }
   "$spirv_val" --target-env vulkan1.3 --scalar-block-layout "$spv"
 }
 
 compile 0 --depfile "$work/d"
+sed -i "s|$copy|$shader|" "$work/d"
 sed "s|^[^:]*:|$out:|" "$work/d" >"$out.d"
 mapfile -t read < <(sed 's/^[^:]*://; s/\\$//' "$work/d" | tr ' ' '\n' | grep . | sort -u)
 mapfile -t mutants < <(cat "$shader" "${read[@]}" | grep -oE '\bMUTANT_[0-9]+' | sed 's/MUTANT_//' | sort -un)
