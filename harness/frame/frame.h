@@ -1,0 +1,71 @@
+// A frame: a scene and a camera in, a picture out, every pass timed. The chain of kernels is derived from their
+// descriptions (graph.h); the recorded commands are checked for missing barriers (hazards.h) before they are submitted.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "harness/device/device.h"
+#include "harness/frame/explain.h"
+#include "harness/frame/statistics.h"
+#include "harness/image/image.h"
+#include "harness/scene/scene.h"
+
+namespace assay::frame {
+
+// Names of the views of formats/debug_view.h, in its order: material, triangle, tile, workload.
+const std::vector<std::string>& view_names();
+
+struct Options {
+  Extent size = {1280, 720};      // 1x1 to 16384x16384; what the device's buffers hold (8.4 Mpx on lavapipe)
+  std::string view = "material";  // one of view_names()
+  std::map<std::string, std::string> variants =
+      {};  // kernel -> variant or label ("visibility" -> "slim"); else default
+  // Resources that must be computed; whatever none of them needs is left out. Empty: the picture and the statistics.
+  std::vector<std::string> goals = {};
+  // Called as the work proceeds; `done` of `of` steps are finished when `what` begins.
+  std::function<void(const std::string& what, uint64_t done, uint64_t of)> progress = {};
+};
+
+struct PassTime {
+  std::string kernel;  // "tile_classification.reduce"
+  std::string pass;    // "gather.comp"
+  uint32_t commands = 1;
+  double time_ns = 0;  // GPU; the rows of a repeated pass together
+};
+
+struct Result {
+  Extent size = {};
+  image::Rgba8 image;                    // without the legend
+  std::string title;                     // of the legend: "bare, 1280x720, material"
+  std::vector<image::LegendRow> legend;  // of what the picture shows, largest share first
+  std::vector<PassTime> passes;          // in order of execution
+  double gpu_ns = 0, cpu_ns = 0;         // first to last timestamp; process CPU time of the submission
+  std::vector<PassShare> statistics;     // of tile classification; empty where it did not run
+  Explanation explanation;
+  std::vector<std::string> notes;  // of the loader and the gather: what was left out and why
+  // What was downloaded, by resource name: the goals, visibility.visibility, visibility.depth, the tile masks.
+  std::map<std::string, Bytes> downloads;
+};
+
+// Renders one frame. Throws std::invalid_argument for an option (unknown view, kernel or variant, empty size, a goal
+// that nothing produces), std::runtime_error naming both kernels for a cycle or two updaters, device::Error for the
+// device.
+Result render(device::Device&, const scene::Scene&, const scene::Camera&, const Options&);
+// The explanation alone: nothing is allocated or run.
+Explanation explain(const device::Info&, const scene::Scene&, const scene::Camera&, const Options&);
+
+// The visibility and depth of a result as one EXR part: visibility.triangle, visibility.surface (uint), depth.Z
+// (float).
+void write_exr(const std::filesystem::path&, const Result&);
+// The picture with its legend below.
+void write_png(const std::filesystem::path&, const Result&);
+
+std::string times_to_text(const Result&);  // the pass table
+nlohmann::json to_json(const Result&);     // all but the pixels
+
+}  // namespace assay::frame
