@@ -121,6 +121,9 @@ struct Port {
   std::optional<Format> view = {};       // a second format of equal size that shaders see instead of `format`
   std::function<Extent(const Case&)> extent = {};  // of an image; the case's where empty
   std::vector<std::string> producers = {};
+  // Variants that have the port; empty: all. To the others it does not exist: not allocated for their sake, not bound,
+  // not judged, not counted in their bytes.
+  std::vector<std::string> only_in = {};
 };
 
 template <class T>
@@ -204,12 +207,20 @@ using Pass = std::variant<Dispatch, Draw, Clear>;
 
 enum class Judge { exact, ulps, within, same_set, between };
 
+// A packed element as fields of a word each, for bounds that speak of them singly. `apply` takes the payload of the
+// bound's only port; comparison and the oracle's answer are of what it returns, as many elements as before.
+struct Unpack {
+  Layout layout;
+  std::function<Bytes(std::span<const std::byte>)> apply;
+};
+
 // What is allowed of a port and why. `between` may join several ports of equal count (their elements side by side).
 struct Bound {
   std::vector<std::string> ports;
   Judge judge = Judge::exact;
   double limit = 0;
   std::string reason;
+  std::optional<Unpack> unpack = {};
 };
 inline Bound exact(std::string port, std::string reason) { return {{std::move(port)}, Judge::exact, 0, std::move(reason)}; }
 inline Bound ulps(std::string port, double n, std::string reason) {
@@ -330,6 +341,12 @@ struct Kernel {
 const std::vector<Kernel>& all_kernels();
 const Kernel& kernel_named(const std::string& name);  // throws, naming the nearest
 
+inline bool has_port(const Variant& v, const Port& p) {
+  if (p.only_in.empty()) return true;
+  for (const std::string& name : p.only_in)
+    if (name == v.name) return true;
+  return false;
+}
 const Port& port_of(const Kernel&, const std::string& name);
 const std::vector<Bound>& bounds_of(const Kernel&, const Variant&);
 
