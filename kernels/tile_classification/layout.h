@@ -7,11 +7,11 @@
 SHARED_BEGIN(tile_classification)
 
 struct ClassifyParams {
-  uint width;   // pixels
+  uint width;  // pixels
   uint height;
-  uint workloads;        // rows of the table; above kMaxWorkloads counts as kMaxWorkloads
-  uint passes;           // above kMaxPasses counts as kMaxPasses; rows of other passes take no tile
-  uint groups_per_tile;  // workgroups that shade a tile; above kMaxGroups counts as kMaxGroups
+  uint workloads;             // rows of the table; above kMaxWorkloads counts as kMaxWorkloads
+  uint passes;                // above kMaxPasses counts as kMaxPasses; rows of other passes take no tile
+  uint groups_per_tile;       // workgroups that shade a tile; above kMaxGroups counts as kMaxGroups
   uint relevant[kMaxPasses];  // a pass wants the tiles with any of these bits; kEveryFeature: all that are not empty
 };
 
