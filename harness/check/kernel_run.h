@@ -1,0 +1,38 @@
+// One kernel under check: its variants' tallies, and the running of a case through all of them.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "harness/check/cases.h"
+#include "harness/check/run_case.h"
+
+namespace assay::check {
+
+constexpr uint64_t kFailuresStop = 10;   // a variant that failed so often is not run again
+constexpr uint64_t kFailuresShrunk = 2;  // a variant's first ones
+
+struct VariantState {
+  const Variant* variant;
+  std::vector<std::map<std::string, uint32_t>> combinations;
+  VariantResult result;
+  bool is_live() const { return result.skipped.empty() && result.violations < kFailuresStop; }
+};
+
+struct KernelRun {
+  Session session;
+  const Options& options;
+  const Kernel& kernel;
+  KernelResult result;
+  std::vector<VariantState> variants;
+  uint64_t decidable = 0, undecided = 0;  // elements judged by `between` in random trials, over the variants
+};
+
+// The kernel's selected variants, those that cannot run here marked with the reason.
+KernelRun start(Session, const Options&, const Kernel&);
+bool is_selected(const Variant&, const std::string& name_or_label);
+
+enum class Kind { hard, trial };
+// The case in every live variant: all combinations of its constants for a hard one, one by the seed for a trial.
+void run_everywhere(KernelRun&, const Prepared&, const std::string& replay, Kind);
+
+}  // namespace assay::check

@@ -1,0 +1,49 @@
+// One case, one variant, one run on the device: poison, run, read back, judge.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "harness/check/check.h"
+#include "harness/check/judge.h"
+
+namespace assay::check {
+
+struct Prepared {  // a case with the device's traits and the oracle's answer to it, good for every variant
+  Case input;
+  Answer answer;
+};
+Prepared prepare(const Kernel&, Case, const DeviceTraits&);
+
+// A word that no result holds by design: a quiet NaN of either sign, over 2^30 as an integer. Choices 0 and 1 of a seed
+// differ in each byte, so that what equals both was never written.
+uint32_t poison_word(uint64_t seed, uint32_t choice);
+
+// The bounds that hold for the variant: those of ports that it has.
+std::vector<Bound> bounds_for(const Kernel&, const Variant&);
+
+struct Fault {
+  std::string kind;  // what is wrong and where, without numbers: the shrinker keeps to one kind
+  std::string text;  // empty: nothing is wrong
+};
+struct Outcome {
+  Fault memory;                   // a write outside: behind a port, to an input. Counts for baselines too
+  Fault wrong;                    // unwritten or touched elements, a broken bound
+  std::vector<Verdict> verdicts;  // one a bound, in the bounds' order
+  bool flaky = false;             // the device was lost once and the repeat went through
+};
+// The fault that counts for the variant, if any.
+const Fault& fault_of(const Outcome&, const Variant&);
+
+// `inputs`: compare every input afterwards; otherwise only those that a pass could have written, by its SPIR-V.
+Outcome run_case(device::Device&, const device::Plan&, const Prepared&, const device::Ports&, bool inputs);
+
+// A device that is replaced when it is lost.
+struct Session {
+  device::Handle& device;
+  const device::Options& options;
+};
+// run_case with one retry on a fresh device after a loss; whatever the device throws becomes a fault. `ports` is filled
+// when empty, and again on a fresh device.
+Outcome attempt(Session&, const device::Plan&, const Prepared&, device::Ports& ports, bool inputs);
+
+}  // namespace assay::check
