@@ -1,0 +1,109 @@
+// assay bench: times beside limits, and speed against error.
+#include "harness/report/bench.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "harness/cli/command.h"
+#include "harness/report/json.h"
+#include "harness/report/progress.h"
+
+namespace assay::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Flags {
+  Common common;
+  std::vector<std::string> kernels, sizes;
+  std::string variant, markdown, runs = "out/runs";
+  bool defaults = false, all_sizes = false;
+  uint32_t samples = 20;
+};
+
+// A new file each run; nothing that was measured is ever overwritten.
+std::string record_file(const Flags& f) {
+  std::string stamp = report::utc_now();
+  std::erase_if(stamp, [](char c) { return c == '-' || c == ':'; });
+  for (int n = 0;; ++n) {
+    const fs::path file =
+        fs::path(f.runs) / fmt::format("bench-{}-{}{}.json", stamp, getpid(), n ? fmt::format("-{}", n) : "");
+    if (!fs::exists(file)) return file.string();
+  }
+}
+
+int run(Flags& f) {
+  report::Selection selection{.kernels = chosen_kernels(f.kernels),
+                              .variant = f.variant,
+                              .defaults_only = f.defaults,
+                              .all_extents = f.all_sizes};
+  must_have_variant(selection.kernels, f.variant);
+  for (const auto& s : f.sizes) selection.extents.push_back(parse_size(s));
+  const std::string record = f.runs == "none" ? "" : record_file(f);
+  for (const auto& file : {f.common.json, f.markdown, record}) probe_writable(file);
+
+  auto d = open_device(f.common);
+  report::Progress progress;
+  const auto tell = [&](const std::string& what, uint64_t done, uint64_t of) { progress.update(what, done, of); };
+  const auto result = report::bench(*d, report::entries_of(selection), f.samples, tell);
+  progress.clear();
+
+  const auto& info = device::info(*d);
+  const auto json = report::to_json(result, info);
+  write_json(f.common, json);
+  if (!record.empty()) {
+    write_text(record, json.dump(1) + "\n");
+    fmt::print(stderr, "every sample is in {}\n", record);
+  }
+  const auto against = report::speed_against_error_table(result);
+  if (!f.markdown.empty())
+    write_text(f.markdown, fmt::format("{} ({} {}), commit {}\n\n{}", info.name, info.driver, info.driver_info,
+                                       report::commit(), report::as_markdown(against)));
+  if (!json_on_stdout(f.common) && f.markdown != "-")
+    fmt::print("{}\n{}\nSpeed against error, fastest first\n\n{}", report::yardsticks_text(result),
+               report::as_text(report::speed_table(result, info)), report::as_text(against));
+  const bool broken = std::ranges::any_of(result.rows, [](const report::Row& r) { return r.verified.broken; });
+  const int spoken = validation_verdict(*d);
+  return broken ? kViolation : spoken;
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, Action& action) {
+  auto f = std::make_shared<Flags>();
+  CLI::App* command = subcommand(
+      app, "bench", "Times every variant beside what this device could do, and its speed beside its error",
+      "Each variant is first verified against the oracle; one that breaks its bound is not timed (a baseline is).\n"
+      "time: median GPU time, inputs rotated out of the cache; hot: the same input again and again; limit: the larger "
+      "of\n"
+      "bytes over the device's copy bandwidth and operations over its rate, plus its dispatches when empty; share: "
+      "limit\n"
+      "over time. Every run writes a new JSON file with every sample to --runs.",
+      {"assay bench", "assay bench tile_classification --size 1920x1080 --size 3840x2160",
+       "assay bench visibility --variant slim --samples 50 --json out/slim.json",
+       "assay bench --defaults --markdown out/bench.md"});
+  command->add_option("kernels", f->kernels, "Only these; all by default")->type_name("KERNEL");
+  command->add_option("--variant", f->variant, "Only this variant, by name or with its constants");
+  command->add_flag("--defaults", f->defaults, "Only each kernel's default variant");
+  command->add_option("--size", f->sizes, "Repeatable; the kernel's first size by default")
+      ->type_name("WxH")
+      ->allow_extra_args(false);
+  command->add_flag("--all-sizes", f->all_sizes, "Every size that the kernel lists");
+  command->add_option("--samples", f->samples, "Samples of a variant, each long enough for the device's clock")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100000))
+      ->type_name("N");
+  command->add_option("--markdown", f->markdown, "The speed-against-error table as Markdown; - for standard output")
+      ->type_name("FILE");
+  command->add_option("--runs", f->runs, "Where each run's record goes, or none")
+      ->capture_default_str()
+      ->type_name("DIR");
+  add_device_flags(command, f->common);
+  add_json_flag(command, f->common, "The record as JSON, every sample in it");
+  command->callback([&action, f] { action = [f] { return run(*f); }; });
+}
+
+}  // namespace assay::cli

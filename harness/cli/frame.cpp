@@ -1,0 +1,135 @@
+// assay frame: a scene through the whole chain, as a picture.
+#include "harness/frame/frame.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/gtc/quaternion.hpp>
+
+#include "harness/cli/command.h"
+#include "harness/nearest.h"
+#include "harness/report/json.h"
+#include "harness/report/progress.h"
+
+namespace assay::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Flags {
+  Common common;
+  std::string scene = "small", size = "1280x720", out = "out", camera;
+  std::vector<std::string> variants;
+  frame::Options options;
+  bool explain = false, exr = false;
+};
+
+// "ex,ey,ez,tx,ty,tz": from the eye towards the target, y up.
+scene::Camera look_at(scene::Camera camera, const std::string& text) {
+  glm::dvec3 eye, target;
+  int end = 0;
+  const int read = std::sscanf(text.c_str(), "%lf,%lf,%lf,%lf,%lf,%lf%n", &eye.x, &eye.y, &eye.z, &target.x, &target.y,
+                               &target.z, &end);
+  const glm::dvec3 forward = target - eye;
+  const double distance = glm::length(forward);
+  if (read != 6 || static_cast<size_t>(end) != text.size() || !(distance > 0) || !std::isfinite(distance))
+    throw Unusable(fmt::format("'{}' is no camera; write eye and target, six finite numbers as in 0,2,5,0,1,0", text));
+  const glm::dvec3 direction = forward / distance;
+  const glm::dvec3 up = std::abs(direction.y) > 0.999 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0);
+  camera.eye = eye;
+  camera.orientation = glm::quatLookAt(direction, up);
+  return camera;
+}
+
+void parse_variants(Flags& f) {
+  for (const auto& choice : f.variants) {
+    const auto equals = choice.find('=');
+    if (equals == std::string::npos) throw Unusable(fmt::format("'{}' is no choice; write kernel=variant", choice));
+    const Kernel& k = kernel_named(choice.substr(0, equals));
+    must_have_variant({&k}, choice.substr(equals + 1));
+    f.options.variants[k.name] = choice.substr(equals + 1);
+  }
+}
+
+void must_have_view(const std::string& view) {
+  const auto& names = frame::view_names();
+  if (std::ranges::find(names, view) == names.end())
+    throw Unusable(
+        fmt::format("no view '{}'{}; there are {}", view, did_you_mean(view, names), fmt::join(names, ", ")));
+}
+
+void print(const frame::Result& r, const fs::path& picture) {
+  for (const auto& note : r.notes) fmt::print("note: {}\n", note);
+  fmt::print("{}\n{}\n", frame::to_text(r.statistics), frame::times_to_text(r));
+  fmt::print("wrote {}\n", picture.string());
+}
+
+int explain_only(const Flags& f, const scene::Scene& s, const scene::Camera& camera) {
+  const auto d = open_device(f.common);
+  const auto e = frame::explain(device::info(*d), s, camera, f.options);
+  if (!json_on_stdout(f.common)) fmt::print("{}", frame::to_text(e));
+  write_json(f.common, report::Json(frame::to_json(e)));
+  return kSuccess;
+}
+
+int run(Flags& f) {
+  f.options.size = parse_size(f.size);
+  must_have_view(f.options.view);
+  parse_variants(f);
+  const fs::path picture = fs::path(f.out) / "frame.png", layers = fs::path(f.out) / "frame.exr";
+  if (!f.explain) {
+    probe_writable(picture.string());
+    if (f.exr) probe_writable(layers.string());
+  }
+  probe_writable(f.common.json);
+  const scene::Scene s = scene::load(f.scene);
+  scene::Camera camera = scene::default_camera(s);
+  if (!f.camera.empty()) camera = look_at(camera, f.camera);
+  if (f.explain) return explain_only(f, s, camera);
+
+  auto d = open_device(f.common);
+  report::Progress progress;
+  f.options.progress = [&](const std::string& what, uint64_t done, uint64_t of) { progress.update(what, done, of); };
+  const auto result = frame::render(*d, s, camera, f.options);
+  progress.clear();
+  frame::write_png(picture, result);
+  if (f.exr) frame::write_exr(layers, result);
+  if (!json_on_stdout(f.common)) print(result, picture);
+  report::Json json = frame::to_json(result);
+  json["device"] = report::to_json(device::info(*d));
+  json["commit"] = report::commit();
+  write_json(f.common, json);
+  return validation_verdict(*d);
+}
+
+}  // namespace
+
+void add_frame(CLI::App& app, Action& action) {
+  auto f = std::make_shared<Flags>();
+  CLI::App* command = subcommand(
+      app, "frame", "Renders a scene through the whole chain of kernels and writes out/frame.png with a legend",
+      "Prints what tile classification saved and the time of every pass. Only what the scene needs is allocated and "
+      "run;\n"
+      "--explain prints every pass with the reason that it runs or is left out, and every resource with its bytes.",
+      {"assay frame", "assay frame --scene sponza.glb --size 1280x720 --view material",
+       "assay frame --scene bare --explain", "assay frame --camera 0,2,5,0,1,0 --view workload --out out/workload",
+       "assay frame --variant visibility=fat --json out/frame.json"});
+  command->add_option("--scene", f->scene, "bare, small, or a .gltf or .glb file")->capture_default_str();
+  command->add_option("--size", f->size, "Pixels")->capture_default_str()->type_name("WxH");
+  command->add_option("--view", f->options.view, fmt::format("{}", fmt::join(frame::view_names(), ", ")))
+      ->capture_default_str();
+  command->add_option("--camera", f->camera, "Eye and target in metres, y up; the file's first camera by default")
+      ->type_name("EX,EY,EZ,TX,TY,TZ");
+  command->add_option("--variant", f->variants, "Another variant of a kernel than its default, repeatable")
+      ->type_name("KERNEL=VARIANT")
+      ->allow_extra_args(false);
+  command->add_flag("--explain", f->explain, "Only explain, run nothing");
+  command->add_option("--out", f->out, "Where frame.png goes")->capture_default_str()->type_name("DIR");
+  command->add_flag("--exr", f->exr, "The visibility buffer and depth as frame.exr too");
+  add_device_flags(command, f->common);
+  add_json_flag(command, f->common, "Statistics, times and the explanation as JSON");
+  command->callback([&action, f] { action = [f] { return run(*f); }; });
+}
+
+}  // namespace assay::cli
