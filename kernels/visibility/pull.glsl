@@ -1,0 +1,54 @@
+// What the vertex shaders share: which vertex of which surface, and where it is. Indices past the end read the last
+// record, so that a broken index buffer draws a wrong triangle but reads nothing that is not the scene's.
+#ifndef VISIBILITY_PULL
+#define VISIBILITY_PULL
+READS(0, vec3, positions);
+READS(1, SurfaceRecord, surfaces);
+PARAMS(VisibilityParams);
+
+invariant gl_Position;
+
+uint clamped(uint i, uint count) { return min(i, max(count, 1u) - 1u); }
+
+uint vertex_index() { return clamped(uint(gl_VertexIndex), params.scene.vertices); }
+
+// gl_InstanceIndex begins at the command's first_instance, so it is the surface itself.
+uint surface_index() {
+#ifdef MUTANT_1
+  return clamped(uint(gl_BaseInstance), params.scene.surfaces);
+#else
+  return clamped(uint(gl_InstanceIndex), params.scene.surfaces);
+#endif
+}
+
+// Clip z is the near distance for every vertex: depth is near / w, reversed, and the far plane is at infinity.
+vec4 clip_position(uint surface, uint vertex) {
+  vec4 p = vec4(positions[vertex], 1);
+#ifdef MUTANT_2
+  float y = dot(surfaces[surface].clip_x, p);
+#else
+  float y = dot(surfaces[surface].clip_y, p);
+#endif
+#ifdef MUTANT_3
+  return vec4(dot(surfaces[surface].clip_x, p), y, 0.999 * params.near_plane, dot(surfaces[surface].clip_w, p));
+#else
+  return vec4(dot(surfaces[surface].clip_x, p), y, params.near_plane, dot(surfaces[surface].clip_w, p));
+#endif
+}
+
+// The second word of the visibility buffer.
+uint surface_word(uint surface) {
+  uint flags = surfaces[surface].flags;
+#ifdef MUTANT_4
+  uint instanced = (flags & kSurfaceFlipped) != 0u ? kVisibilityInstanced : 0u;
+#else
+  uint instanced = (flags & kSurfaceInstanced) != 0u ? kVisibilityInstanced : 0u;
+#endif
+#ifdef MUTANT_5
+  uint flipped = 0u;
+#else
+  uint flipped = (flags & kSurfaceFlipped) != 0u ? kVisibilityFlipped : 0u;
+#endif
+  return (surface & kVisibilitySurfaceMask) | instanced | flipped;
+}
+#endif
