@@ -75,6 +75,7 @@ struct Scene {
   std::vector<Instance> instances;
   std::vector<Light> lights;
   std::vector<Camera> cameras;
+  std::vector<std::string> notes;  // what the file holds and was left out, a line each
 };
 
 // A built-in name (bare, small) or a .gltf or .glb file. Broken files throw std::runtime_error: file, place, what.
@@ -84,6 +85,20 @@ Scene bare();   // one triangle, one material
 Scene small();  // CI: floor, columns, masked foliage cards, instances, a mirrored instance, a spot and a point light
 // The file's first camera, or one that sees the whole scene from outside (from inside for an atrium such as Sponza's).
 Camera default_camera(const Scene&);
+
+// A camera at `eye` that sees `target` in the middle of its image, y up where the direction allows it.
+Camera look_at(const glm::dvec3& eye, const glm::dvec3& target, double vertical_fov_rad);
+// Every bit of formats/features.h that a pixel of the material has (features.cpp has the rules).
+uint32_t feature_bits(const Scene&, const Material&);
+
+// Axis-aligned; empty (lowest above highest) until something is added.
+struct Bounds {
+  glm::dvec3 lowest = glm::dvec3(1e300), highest = glm::dvec3(-1e300);
+  void add(const glm::dvec3& p) { lowest = min(lowest, p), highest = max(highest, p); }
+  bool empty() const { return !(lowest.x <= highest.x); }
+};
+Bounds bounds_of(const Mesh&, const Part&);  // in the mesh's own coordinates
+Bounds bounds_of(const Scene&);              // of the instances' transformed part boxes, world
 
 // What the first passes of a frame read. Transforms are camera-relative, the subtraction in double.
 struct Gathered {

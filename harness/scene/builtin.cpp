@@ -1,0 +1,263 @@
+// Scenes made by code, the same on every machine: `bare` and `small`.
+#include <fmt/format.h>
+#include <cmath>
+#include <functional>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <stdexcept>
+
+#include "harness/scene/scene.h"
+
+namespace assay::scene {
+namespace {
+
+constexpr double kTau = 6.283185307179586;
+
+// A texel's position in 0..1 to its colour.
+using Paint = std::function<glm::vec4(float u, float v)>;
+uint32_t add_image(Scene& s, const std::string& name, uint32_t side, const Paint& paint) {
+  Image image = {name, side, side, {}};
+  for (uint32_t y = 0; y < side; ++y)
+    for (uint32_t x = 0; x < side; ++x) {
+      const float scale = 1.0f / static_cast<float>(side);
+      const glm::vec4 c = paint((static_cast<float>(x) + 0.5f) * scale, (static_cast<float>(y) + 0.5f) * scale);
+      for (int i = 0; i < 4; ++i)
+        image.rgba.push_back(static_cast<uint8_t>(std::lround(glm::clamp(c[i], 0.0f, 1.0f) * 255)));
+    }
+  s.images.push_back(std::move(image));
+  return static_cast<uint32_t>(s.images.size() - 1);
+}
+
+uint32_t add_material(Scene& s, Material m) {
+  s.materials.push_back(std::move(m));
+  return static_cast<uint32_t>(s.materials.size() - 1);
+}
+
+// A patch of columns x rows quads over u and v in 0..1, counter-clockwise seen from where u runs right and v up.
+using Patch = std::function<glm::dvec3(double u, double v)>;
+void append_patch(Mesh& mesh, uint32_t columns, uint32_t rows, const glm::vec2& repeats, const Patch& point) {
+  const auto base = static_cast<uint32_t>(mesh.positions.size());
+  for (uint32_t r = 0; r <= rows; ++r)
+    for (uint32_t c = 0; c <= columns; ++c) {
+      const double u = static_cast<double>(c) / columns, v = static_cast<double>(r) / rows, step = 1e-4;
+      const glm::dvec3 du = point(u + step, v) - point(u - step, v), dv = point(u, v + step) - point(u, v - step);
+      const glm::vec3 normal(normalize(cross(du, dv)));
+      mesh.positions.emplace_back(point(u, v));
+      // glTF's v runs down.
+      mesh.attributes.push_back({normal, glm::vec4(glm::vec3(normalize(du)), 1),
+                                 glm::vec2(static_cast<float>(u), static_cast<float>(1 - v)) * repeats});
+    }
+  for (uint32_t r = 0; r < rows; ++r)
+    for (uint32_t c = 0; c < columns; ++c) {
+      const uint32_t a = base + r * (columns + 1) + c, b = a + 1, d = a + columns + 1, e = d + 1;
+      for (const uint32_t i : {a, b, e, a, e, d}) mesh.indices.push_back(i);
+    }
+}
+
+uint32_t add_mesh(Scene& s, Mesh mesh, uint32_t material) {
+  uint32_t first = 0;
+  for (const Part& part : mesh.parts) first += part.index_count;
+  mesh.parts.push_back({first, static_cast<uint32_t>(mesh.indices.size()) - first, material});
+  s.meshes.push_back(std::move(mesh));
+  return static_cast<uint32_t>(s.meshes.size() - 1);
+}
+
+uint32_t add_patch_mesh(Scene& s, const std::string& name, uint32_t material, uint32_t columns, uint32_t rows,
+                        const glm::vec2& repeats, const Patch& point) {
+  Mesh mesh;
+  mesh.name = name;
+  append_patch(mesh, columns, rows, repeats, point);
+  return add_mesh(s, std::move(mesh), material);
+}
+
+void place(Scene& s, uint32_t mesh, const glm::dvec3& at, double turn_rad = 0,
+           const glm::dvec3& scale = glm::dvec3(1)) {
+  const glm::dmat4 moved = glm::translate(glm::dmat4(1), at);
+  s.instances.push_back({mesh, glm::scale(glm::rotate(moved, turn_rad, glm::dvec3(0, 1, 0)), scale)});
+}
+
+// ---- Textures of `small` -------------------------------------------------------------------------------------------
+
+glm::vec4 tiles(float u, float v) {
+  const bool odd = (static_cast<int>(u * 4) + static_cast<int>(v * 4)) % 2;
+  const float joint = std::fmin(std::fmod(u * 4, 1.0f), std::fmod(v * 4, 1.0f)) < 0.06f ? 0.6f : 1.0f;
+  return glm::vec4(glm::vec3(odd ? 0.72f : 0.55f, odd ? 0.68f : 0.5f, odd ? 0.6f : 0.46f) * joint, 1);
+}
+glm::vec4 weave(float u, float v) {
+  const float stripe = std::fmod(u * 6, 1.0f) < 0.5f ? 1.0f : 0.75f, border = v < 0.08f || v > 0.92f ? 0.5f : 1.0f;
+  return {0.75f * stripe * border, 0.15f * stripe, 0.12f * stripe, 1};
+}
+// Seven pointed leaves on a stem; alpha falls linearly across a leaf's outline, so the cut is a line between texels.
+glm::vec4 leaves(float u, float v) {
+  float inside = 0.06f - std::fabs(u - 0.5f) - 0.05f * v;
+  for (int i = 0; i < 7; ++i) {
+    const float side = i % 2 ? 1.0f : -1.0f, root = 0.88f - 0.12f * static_cast<float>(i);
+    const float along = ((u - 0.5f) * side * 0.8f + (root - v) * 0.6f) / 0.46f;  // 0 at the stem, 1 at the tip
+    const float across = (u - 0.5f) * side * 0.6f - (root - v) * 0.8f;
+    if (along > 0 && along < 1) inside = std::fmax(inside, 0.30f * along * (1 - along) * 1.4f - std::fabs(across));
+  }
+  return {0.2f + 0.2f * v, 0.5f - 0.15f * v, 0.12f, 0.5f + inside * 12};
+}
+glm::vec4 grille(float u, float v) {
+  const float x = std::fabs(std::fmod(u * 8, 1.0f) - 0.5f), y = std::fabs(std::fmod(v * 8, 1.0f) - 0.5f);
+  return {0.3f, 0.3f, 0.32f, 0.5f + (std::fmax(x, y) - 0.36f) * 6};
+}
+
+// ---- Shapes of `small` ---------------------------------------------------------------------------------------------
+
+glm::dvec3 fluted_column(double u, double v) {
+  const double foot = std::exp(-v * 18) + std::exp((v - 1) * 18);  // wider at both ends
+  const double radius = 0.32 - 0.05 * v + 0.12 * foot + 0.018 * std::cos(u * kTau * 16) * (1 - std::min(1.0, foot * 2));
+  return {radius * std::sin(u * kTau), 4.2 * v, radius * std::cos(u * kTau)};
+}
+// A tube along a rising spiral: no mirror image of itself.
+glm::dvec3 spiral(double u, double v) {
+  const auto centre = [](double t) {
+    const double r = 0.45 - 0.3 * t;
+    return glm::dvec3(r * std::cos(t * kTau * 2), 0.1 + 1.5 * t, r * std::sin(t * kTau * 2));
+  };
+  const glm::dvec3 along = normalize(centre(v + 1e-3) - centre(v - 1e-3));
+  const glm::dvec3 side = normalize(cross(along, glm::dvec3(0, 1, 0))), up = cross(side, along);
+  const double radius = 0.11 - 0.06 * v;
+  return centre(v) + radius * (side * std::cos(u * kTau) - up * std::sin(u * kTau));
+}
+glm::dvec3 sphere(double u, double v) {
+  const double polar = (0.002 + 0.996 * v) * glm::pi<double>();  // short of the poles, where u has no direction
+  return glm::dvec3(std::sin(polar) * std::sin(u * kTau), -std::cos(polar), std::sin(polar) * std::cos(u * kTau)) *
+         0.18;
+}
+glm::dvec3 banner(double u, double v) { return {u - 0.5, 2.2 * v, 0.1 * std::sin(u * 9 + v * 3) * (1.2 - v)}; }
+
+void add_hall(Scene& s) {
+  const uint32_t floor = add_material(
+      s, {.name = "floor", .metallic = 0, .roughness = 0.7f, .base_image = add_image(s, "floor tiles", 128, tiles)});
+  const uint32_t plaster = add_material(s, {.name = "plaster", .base_colour = {0.75f, 0.7f, 0.62f, 1}, .metallic = 0});
+  const uint32_t marble =
+      add_material(s, {.name = "marble", .base_colour = {0.85f, 0.83f, 0.8f, 1}, .metallic = 0, .roughness = 0.3f});
+  const uint32_t water = add_material(s, {.name = "puddle",
+                                          .base_colour = {0.1f, 0.13f, 0.15f, 1},
+                                          .metallic = 0,
+                                          .roughness = 0.05f,
+                                          .features = kFeaturePuddles | kFeatureWetnessDrops});
+  place(s,
+        add_patch_mesh(s, "floor", floor, 16, 16, {8, 8},
+                       [](double u, double v) { return glm::dvec3(16 * u - 8, 0, 8 - 16 * v); }),
+        {0, 0, 0});
+  place(s,
+        add_patch_mesh(s, "wall", plaster, 8, 4, {4, 2},
+                       [](double u, double v) { return glm::dvec3(16 * u - 8, 5 * v, 0); }),
+        {0, 0, -8});
+  const uint32_t column = add_patch_mesh(s, "column", marble, 96, 24, {2, 6}, fluted_column);
+  for (int i = 0; i < 4; ++i)
+    for (const double side : {-3.0, 3.0}) place(s, column, {side, 0, -6.0 + 3.2 * i}, 0.3 * i);
+  place(s,
+        add_patch_mesh(s, "puddle", water, 24, 8, {1, 1},
+                       [](double u, double v) {
+                         const double radius = v * (0.8 + 0.2 * std::cos(3 * u * kTau)) + 1e-3;
+                         return glm::dvec3(-radius * std::sin(u * kTau), 0.01, radius * std::cos(u * kTau) * 0.7);
+                       }),
+        {0.6, 0, 1.2});
+}
+
+void add_things(Scene& s) {
+  const uint32_t bronze =
+      add_material(s, {.name = "bronze", .base_colour = {0.7f, 0.45f, 0.2f, 1}, .metallic = 1, .roughness = 0.25f});
+  const uint32_t lamp = add_material(s, {.name = "lamp", .metallic = 0, .emissive = {4, 3.2f, 2}});
+  const uint32_t cloth = add_material(s, {.name = "banner",
+                                          .metallic = 0,
+                                          .roughness = 0.9f,
+                                          .base_image = add_image(s, "weave", 64, weave),
+                                          .double_sided = true,
+                                          .features = kFeatureCloth});
+  const uint32_t bars = add_material(s, {.name = "grille",
+                                         .metallic = 0,
+                                         .roughness = 0.5f,
+                                         .base_image = add_image(s, "grille", 64, grille),
+                                         .alpha = AlphaMode::masked});
+  const uint32_t spirals = add_patch_mesh(s, "spiral", bronze, 16, 96, {1, 8}, spiral);
+  place(s, spirals, {-1.2, 0, -2.5});
+  place(s, spirals, {1.4, 0, -2.5}, 0.2, {-1, 1, 1});  // mirrored
+  place(s, add_patch_mesh(s, "lamp", lamp, 24, 16, {1, 1}, sphere), {0, 3.2, -3});
+  const uint32_t flag = add_patch_mesh(s, "banner", cloth, 20, 24, {1, 1}, banner);
+  place(s, flag, {-1.6, 1.6, -5});
+  place(s, flag, {1.6, 1.6, -5}, 2.6);
+  const uint32_t screen = add_patch_mesh(s, "grille", bars, 2, 2, {1, 1},
+                                         [](double u, double v) { return glm::dvec3(1.6 * u - 0.8, 1.8 * v, 0); });
+  place(s, screen, {-4.6, 0, 0.5}, 0.5);
+  place(s, screen, {4.6, 0, 0.5}, -0.5, {-1, 1, 1});  // mirrored
+}
+
+void add_foliage(Scene& s) {
+  const uint32_t leaf = add_material(s, {.name = "foliage",
+                                         .metallic = 0,
+                                         .roughness = 0.6f,
+                                         .base_image = add_image(s, "leaves", 128, leaves),
+                                         .alpha = AlphaMode::masked,
+                                         .double_sided = true});
+  Mesh cards;  // three crossed quads
+  cards.name = "plant";
+  for (int i = 0; i < 3; ++i) {
+    const double angle = i * kTau / 6;
+    append_patch(cards, 2, 3, {1, 1}, [angle](double u, double v) {
+      return glm::dvec3((u - 0.5) * std::cos(angle), 1.1 * v, (u - 0.5) * std::sin(angle));
+    });
+  }
+  const uint32_t plant = add_mesh(s, std::move(cards), leaf);
+  for (int i = 0; i < 24; ++i) {  // a low-discrepancy scatter beside the columns
+    const double a = std::fmod(i * 0.7548776662, 1.0), b = std::fmod(i * 0.5698402910, 1.0), side = i % 2 ? 1 : -1;
+    place(s, plant, {side * (3.6 + 2.8 * a), 0, -7 + 9 * b}, 5.1 * a, glm::dvec3(0.7 + 0.6 * b));
+  }
+}
+
+}  // namespace
+
+Scene bare() {
+  Scene s;
+  s.name = "bare";
+  add_material(s, {.name = "plain", .base_colour = {0.8f, 0.3f, 0.2f, 1}, .metallic = 0});
+  Mesh triangle;
+  triangle.name = "triangle";
+  triangle.positions = {{-1, 0, 0}, {1, 0, 0}, {0, 1.6f, 0}};
+  triangle.attributes.assign(3, {{0, 0, 1}, {1, 0, 0, 1}, {0, 0}});
+  triangle.indices = {0, 1, 2};
+  place(s, add_mesh(s, std::move(triangle), 0), {0, 0, 0});
+  s.cameras = {look_at({0, 0.8, 3}, {0, 0.8, 0}, 0.785398)};
+  s.cameras[0].name = "front";
+  return s;
+}
+
+Scene small() {
+  Scene s;
+  s.name = "small";
+  add_hall(s);
+  add_things(s);
+  add_foliage(s);
+  s.lights = {
+      {.kind = LightKind::directional,
+       .direction = normalize(glm::vec3(0.4f, -1, -0.3f)),
+       .colour = {1, 0.95f, 0.9f},
+       .intensity = 3},
+      {.kind = LightKind::point, .position = {0, 3.2, -3}, .colour = {1, 0.8f, 0.5f}, .intensity = 60, .range = 8},
+      {.kind = LightKind::spot,
+       .position = {-4, 4.5, 3},
+       .direction = normalize(glm::vec3(0.5f, -0.7f, -0.7f)),
+       .intensity = 200,
+       .range = 12,
+       .inner_rad = 0.3f,
+       .outer_rad = 0.5f},
+  };
+  s.cameras = {look_at({0.6, 2.1, 7.2}, {0, 1.5, -2}, 0.785398)};
+  s.cameras[0].name = "hall";
+  return s;
+}
+
+Scene load(const std::string& name_or_file) {
+  if (name_or_file == "bare") return bare();
+  if (name_or_file == "small") return small();
+  if (!std::filesystem::is_regular_file(name_or_file))
+    throw std::runtime_error(
+        fmt::format("{}: no such scene; give a .gltf or .glb file, or bare or small", name_or_file));
+  return load_gltf(name_or_file);
+}
+
+}  // namespace assay::scene
