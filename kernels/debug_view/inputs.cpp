@@ -1,0 +1,250 @@
+#include "kernels/debug_view/inputs.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "kernels/debug_view/palette.h"
+#include "kernels/debug_view/picture.h"
+
+namespace assay::debug_view {
+namespace {
+
+void add_rectangles(Picture& p, Pcg32& rng, uint32_t count) {
+  const auto surfaces = static_cast<uint32_t>(p.surface_materials.size());
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint32_t x0 = rng.below(p.extent.width), y0 = rng.below(p.extent.height), surface = rng.below(surfaces);
+    const uint32_t x1 = std::min(p.extent.width, x0 + 1 + rng.below(p.extent.width / 3 + 8));
+    const uint32_t y1 = std::min(p.extent.height, y0 + 1 + rng.below(p.extent.height / 3 + 8));
+    const uint32_t flags = rng.next() & (kVisibilityInstanced | kVisibilityFlipped), coarse = 1 + rng.below(9);
+    for (uint32_t y = y0; y < y1; ++y)
+      for (uint32_t x = x0; x < x1; ++x) p.at(x, y) = {(x / coarse) ^ (y / coarse), surface | flags};
+  }
+}
+
+// Every tile in at most one list, as classification leaves them.
+void add_partition(Picture& p, Pcg32& rng, uint32_t rows) {
+  std::vector<std::vector<uint32_t>> tiles(rows + 1);
+  for (uint32_t t = 0; t < p.tile_total(); ++t) tiles[rng.below(rows + 1)].push_back(t);
+  for (uint32_t row = 0; row < rows; ++row)
+    p.lists.push_back(list_of(tiles[row], rng.below(6) ? rng.next() | 1u : 0u, 1 + rng.below(40)));
+}
+
+// Tiles that do not exist or are listed twice, counts beyond the list, dispatches of too few, too many or no groups.
+void add_hostile_lists(Picture& p, Pcg32& rng, uint32_t rows) {
+  for (uint32_t row = 0; row < rows; ++row) {
+    List list;
+    for (uint32_t i = 0; i < p.tile_total(); ++i)
+      list.tiles.push_back(rng.below(8) ? rng.below(p.tile_total() + 2) : rng.next());
+    list.counted = rng.below(4) ? rng.below(p.tile_total() + 3) : rng.next();
+    list.args = {rng.below(5), rng.below(12), rng.below(5)};
+    list.colour = rng.next();
+    p.lists.push_back(std::move(list));
+  }
+}
+
+Case with_lists(Extent e, std::vector<List> lists) {
+  Picture p = busy_picture(e, kViewWorkload);
+  p.lists = std::move(lists);
+  return to_case(p);
+}
+
+std::vector<uint32_t> first_tiles(uint32_t n, uint32_t first = 0) {
+  std::vector<uint32_t> tiles(n);
+  std::iota(tiles.begin(), tiles.end(), first);
+  return tiles;
+}
+
+}  // namespace
+
+Case random_case(Random& r) {
+  const Extent extent = random_extent(r, kTileSide);
+  const auto view = static_cast<uint32_t>(r.branch(
+      {{"view_material", 1}, {"view_triangle", 1}, {"view_tile", 1}, {"view_workload", 2}, {"view_unknown", 0.2}}));
+  Picture p = empty_picture(extent, view, 1 + r.rng.below(200), 1 + r.rng.below(40));
+  for (uint32_t& c : p.material_colours) c = r.rng.next();
+  for (uint32_t& m : p.masks) m = r.rng.below(5) ? r.rng.next() & r.rng.next() & r.rng.next() : 0;
+  add_rectangles(p, r.rng, r.rng.below(40));
+  if (r.branch({{"indices_in_range", 0.8}, {"indices_out_of_range", 0.2}})) {
+    for (uint32_t& m : p.surface_materials)
+      if (r.rng.below(4) == 0) m = r.rng.next() % 60;
+    for (uvec2& v : p.visibility)
+      if (r.rng.below(8) == 0) v = {r.rng.next(), r.rng.below(2) ? r.rng.next() : r.rng.below(300)};
+  }
+  switch (r.branch({{"lists_none", 0.1}, {"lists_partition", 0.7}, {"lists_hostile", 0.2}})) {
+    case 0:
+      break;
+    case 1:
+      add_partition(p, r.rng, 1 + r.rng.below(8));
+      break;
+    default:
+      add_hostile_lists(p, r.rng, 1 + r.rng.below(8));
+  }
+  Case c = to_case(p);
+  c.name = "random";
+  return c;
+}
+
+std::vector<std::string> branches() {
+  std::vector<std::string> all = kExtentBranches;
+  for (const char* b : {"view_material", "view_triangle", "view_tile", "view_workload", "view_unknown",
+                        "indices_in_range", "indices_out_of_range", "lists_none", "lists_partition", "lists_hostile"})
+    all.push_back(b);
+  return all;
+}
+
+std::vector<HardCase> hard_cases() {
+  const auto busy = [](Extent e, uint32_t view) { return [=] { return to_case(busy_picture(e, view)); }; };
+  const uint32_t red = named_colour("RED"), green = named_colour("GREEN"), blue = named_colour("BLUE");
+  return {
+      {"one_pixel", "one lane of one group", busy({1, 1}, kViewMaterial)},
+      {"one_group_and_one", "a second group for one column and one row", busy({17, 17}, kViewTriangle)},
+      {"odd_extent_material", "rows start inside a subgroup and inside a run", busy({31, 33}, kViewMaterial)},
+      {"odd_extent_tile", "partial tiles on both edges", busy({70, 45}, kViewTile)},
+      {"tile_and_less_one", "one pixel short of two tiles", busy({63, 31}, kViewTile)},
+      {"unknown_view", "a view that does not exist shows materials", busy({40, 40}, 77)},
+      {"same_triangle_other_surface", "the triangle view must tell surfaces apart",
+       [] {
+         Picture p = empty_picture({64, 64}, kViewTriangle, 64, 3);
+         for (uint32_t y = 0; y < 64; ++y)
+           for (uint32_t x = 0; x < 64; ++x) p.at(x, y) = {5, x};
+         return to_case(p);
+       }},
+      {"same_surface_other_triangle", "a run of pixels of one surface, each another triangle",
+       [] {
+         Picture p = empty_picture({64, 64}, kViewTriangle, 1, 1);
+         for (uint32_t y = 0; y < 64; ++y)
+           for (uint32_t x = 0; x < 64; ++x) p.at(x, y) = {x + 64 * y, 0};
+         return to_case(p);
+       }},
+      {"flags", "the instanced and flipped bits are no part of the index", busy({64, 64}, kViewMaterial)},
+      {"every_feature", "masks of 0, 1, 31 and 32 bits, the highest bit alone",
+       [] {
+         Picture p = empty_picture({5 * 32, 32}, kViewTile, 1, 1);
+         std::fill(p.visibility.begin(), p.visibility.end(), uvec2(0));
+         p.masks = {0, 1, 0x7fffffff, 0xffffffff, 0x80000000};
+         return to_case(p);
+       }},
+      {"half_nothing",
+       "x or y alone all ones is not the empty pixel: surface 2^30 - 1 is broken, triangle 2^32 - 1 is fine",
+       [] {
+         Picture p = empty_picture({64, 64}, kViewMaterial, 2, 2);
+         for (uint32_t y = 0; y < 64; ++y)
+           for (uint32_t x = 0; x < 64; ++x) p.at(x, y) = x % 2 ? uvec2(kVisibilityNone, 1) : uvec2(1, kVisibilityNone);
+         return to_case(p);
+       }},
+      {"broken_indices", "surface and material at and beyond their counts",
+       [] {
+         Picture p = empty_picture({64, 64}, kViewMaterial, 4, 4);
+         p.surface_materials = {0, 4, 5, 0xffffffff};
+         for (uint32_t y = 0; y < 64; ++y)
+           for (uint32_t x = 0; x < 64; ++x) p.at(x, y) = {x, (x + y) % 6};
+         return to_case(p);
+       }},
+      {"lists_disjoint", "three workloads on three tiles, the rest discarded",
+       [=] {
+         return with_lists({130, 70}, {list_of({3, 0}, red), list_of({7}, green), list_of({14, 9}, blue)});
+       }},
+      {"last_column_only", "a partial tile at the right edge: its missing columns are the next row's first",
+       [=] {
+         return with_lists({33, 40}, {list_of({1}, red)});
+       }},
+      {"few_groups_a_tile", "one and three groups share a tile's 1024 pixels unevenly",
+       [=] {
+         return with_lists({96, 64}, {list_of({0, 1, 2}, red, 1), list_of({3, 4, 5}, green, 3)});
+       }},
+      {"many_groups_a_tile", "more groups than a tile has pixels for",
+       [=] {
+         return with_lists({64, 64}, {list_of({0, 1, 2, 3}, red, 100)});
+       }},
+      {"stale_entries", "the dispatch launches more groups than the list has tiles, and stale tiles follow it",
+       [=] {
+         return with_lists({96, 96}, {{{0, 1, 2, 3, 4, 5}, 3, {32, 3, 2}, red}});
+       }},
+      {"spread_over_z", "the list's groups lie in two dimensions",
+       [=] {
+         return with_lists({128, 96}, {{first_tiles(11, 1), 11, {32, 4, 3}, red}});
+       }},
+      {"tile_out_of_range", "listed tiles that do not exist are left alone",
+       [=] {
+         return with_lists({64, 64}, {{{4, 0, 0xffffffff, 5}, 4, {32, 4, 1}, red}});
+       }},
+      {"count_overflows", "a count of 2^32 - 1: no more than the list's room is read",
+       [=] {
+         return with_lists({64, 64}, {{{0, 1, 2, 3}, ~0u, {32, 9, 1}, red}, list_of({0}, green)});
+       }},
+      {"tile_in_two_lists", "the later workload wins",
+       [=] {
+         return with_lists({64, 64}, {list_of({0, 1}, red), list_of({1, 2}, green)});
+       }},
+      {"empty_lists", "indirect dispatches of no groups",
+       [=] {
+         return with_lists({64, 64}, {list_of({}, red), list_of({}, green)});
+       }},
+      {"pass_not_shown", "colour 0 leaves its tiles as they are",
+       [=] {
+         return with_lists({64, 64}, {list_of({0, 1}, 0), list_of({2}, green)});
+       }},
+      {"full_hd_and_one", "an odd extent of real size",
+       [=] {
+         return with_lists({1921, 1081}, {list_of(first_tiles(2074), blue)});
+       }},
+      {"ultra_hd", "3840x2160, every tile shaded",
+       [=] {
+         return with_lists({3840, 2160}, {list_of(first_tiles(8160), red)});
+       },
+       true},
+  };
+}
+
+std::vector<Case> smaller(const Case& c) {
+  // Fewer pixels would renumber the tiles; fewer things to look at explain a failure as well.
+  std::vector<Case> found;
+  const auto visibility = c.input<uvec2>("visibility");
+  for (const bool upper : {true, false}) {
+    std::vector<uvec2> cleared(visibility.begin(), visibility.end());
+    const size_t half = cleared.size() / 2;
+    const auto begin = cleared.begin() + (upper ? 0 : static_cast<ptrdiff_t>(half));
+    const auto end = upper ? cleared.begin() + static_cast<ptrdiff_t>(half) : cleared.end();
+    if (std::all_of(begin, end, [](uvec2 v) { return v == uvec2(kVisibilityNone); })) continue;
+    std::fill(begin, end, uvec2(kVisibilityNone));
+    found.push_back(c);
+    found.back().set_input("visibility", cleared);
+  }
+  const auto counts = c.input<WorkloadCount>("workload_counts");
+  for (size_t row = 0; row < counts.size(); ++row) {
+    if (counts[row].tiles == 0) continue;
+    std::vector<WorkloadCount> fewer(counts.begin(), counts.end());
+    fewer[row].tiles /= 2;
+    found.push_back(c);
+    found.back().set_input("workload_counts", fewer);
+  }
+  return found;
+}
+
+Case typical(Extent extent) {
+  Pcg32 rng(1);
+  Picture p = empty_picture(extent, kViewWorkload, 400, 60);
+  add_rectangles(p, rng, 250);
+  std::vector<uint32_t> even, odd;
+  for (uint32_t t = 0; t < p.tile_total(); ++t) (t % 3 ? even : odd).push_back(t);
+  p.lists = {list_of(even, named_colour("GREEN")), list_of(odd, named_colour("RED"))};
+  Case c = to_case(p);
+  c.name = "typical";
+  return c;
+}
+
+Case in_frame(const FrameInputs& f) {
+  Case c = {.name = "frame", .extent = f.extent};
+  const auto rows = static_cast<uint32_t>(std::size(kFrameWorkloads));
+  c.set_params(ViewParams{f.extent.width, f.extent.height, f.view, f.scene.surfaces, f.scene.materials, rows});
+  c.set_input("material_colours", material_palette(f.scene.materials));
+  c.set_input("heat_colours", heat_palette());
+  // One pass at a time can be shown, and the last is the one that shades every tile with a surface.
+  std::vector<uint32_t> colours;
+  for (const FrameWorkload& w : kFrameWorkloads)
+    colours.push_back(w.row.pass + 1 == std::size(kFramePasses) ? named_colour(w.colour) : 0);
+  c.set_input("workload_colours", colours);
+  return c;
+}
+
+}  // namespace assay::debug_view

@@ -1,0 +1,124 @@
+#include "kernels/debug_view/oracle.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#include "kernels/debug_view/layout.h"
+
+namespace assay::debug_view {
+namespace {
+
+using Colour = std::array<uint32_t, 3>;  // red, green, blue, 0 to 255
+
+Colour unpacked(uint32_t c) { return {c % 256, c / 256 % 256, c / 65536 % 256}; }
+uint32_t packed(const Colour& c) { return 255u << 24 | c[2] << 16 | c[1] << 8 | c[0]; }
+
+// quarters/4 of a over b.
+Colour over(const Colour& a, const Colour& b, uint32_t quarters) {
+  Colour sum;
+  for (size_t i = 0; i < 3; ++i) sum[i] = (a[i] * quarters + b[i] * (4 - quarters)) / 4;
+  return sum;
+}
+
+// MurmurHash3's last step.
+uint32_t murmur_last_step(uint32_t h) {
+  h ^= h >> 16;
+  h *= 0x85ebca6b;
+  h ^= h >> 13;
+  h *= 0xc2b2ae35;
+  h ^= h >> 16;
+  return h;
+}
+
+Colour random_colour(uint32_t key) {
+  Colour c = unpacked(murmur_last_step(key));
+  for (uint32_t& channel : c) channel = 64 + channel % 128;
+  return c;
+}
+
+struct View {
+  const Case& c;
+  ViewParams params = c.params<ViewParams>();
+  std::span<const uvec2> visibility = c.input<uvec2>("visibility");
+  std::span<const SurfaceRecord> surfaces = c.input<SurfaceRecord>("surfaces");
+  std::span<const uint32_t> material_colours = c.input<uint32_t>("material_colours"),
+                            heat_colours = c.input<uint32_t>("heat_colours"), masks = c.input<uint32_t>("masks");
+  uint32_t across = ceil_div(params.width, kTileSide);
+
+  static bool nothing(uvec2 v) { return v.x == kVisibilityNone && v.y == kVisibilityNone; }
+
+  Colour material(uvec2 v) const {
+    if (nothing(v)) return unpacked(kBackgroundColour);
+    const uint32_t surface = v.y % (1u << 30);
+    if (surface >= surfaces.size()) return unpacked(kBrokenColour);
+    const uint32_t material_index = surfaces[surface].material;
+    if (material_index >= material_colours.size()) return unpacked(kBrokenColour);
+    return unpacked(material_colours[material_index]);
+  }
+
+  Colour triangle(uvec2 v) const {
+    if (nothing(v)) return unpacked(kBackgroundColour);
+    return random_colour(v.x ^ murmur_last_step(v.y % (1u << 30) + 1));
+  }
+
+  Colour tile(uint32_t x, uint32_t y, uvec2 v) const {
+    const uint32_t mask = masks[y / kTileSide * across + x / kTileSide];
+    const uint32_t in_x = x % kTileSide, in_y = y % kTileSide;
+    if (in_x == 0 || in_y == 0) return over(material(v), {0, 0, 0}, 1);
+    if (mask == 0) return over(material(v), unpacked(kBackgroundColour), 1);
+    if (std::min(in_x, in_y) >= kChipFirst && std::max(in_x, in_y) < kChipEnd) return random_colour(mask);
+    return over(material(v), unpacked(heat_colours[static_cast<size_t>(std::popcount(mask))]), 1);
+  }
+
+  Colour at(uint32_t x, uint32_t y) const {
+    const uvec2 v = visibility[size_t{y} * params.width + x];
+    if (params.view == kViewTriangle) return triangle(v);
+    if (params.view == kViewTile) return tile(x, y, v);
+    if (params.view == kViewWorkload) return over(material(v), unpacked(kBackgroundColour), 1);
+    return material(v);
+  }
+};
+
+// The tiles that workload `row` really runs over: listed, counted and reached by its dispatch.
+std::vector<uint32_t> run_over(const Case& c, size_t row) {
+  const auto list = c.input<uint32_t>("workload_tiles").subspan(row * tiles(c), tiles(c));
+  const DispatchArgs args = c.input<DispatchArgs>("workload_args")[row];
+  const uint64_t groups = args.x == 0 ? 0 : uint64_t{args.y} * args.z;
+  const uint64_t counted = c.input<WorkloadCount>("workload_counts")[row].tiles;
+  std::vector<uint32_t> found;
+  for (const uint32_t tile : list.first(std::min({groups, counted, tiles(c)})))
+    if (tile < tiles(c)) found.push_back(tile);
+  return found;
+}
+
+void paint_workload(const View& view, size_t row, std::vector<uint32_t>& image) {
+  const uint32_t colour = view.c.input<uint32_t>("workload_colours")[row];
+  if (colour == 0) return;
+  for (const uint32_t tile : run_over(view.c, row)) {
+    const uint32_t x0 = tile % view.across * kTileSide, y0 = tile / view.across * kTileSide;
+    for (uint32_t y = y0; y < std::min(y0 + kTileSide, view.params.height); ++y)
+      for (uint32_t x = x0; x < std::min(x0 + kTileSide, view.params.width); ++x) {
+        const size_t i = size_t{y} * view.params.width + x;
+        image[i] = packed(over(unpacked(colour), view.material(view.visibility[i]), 2));
+      }
+  }
+}
+
+}  // namespace
+
+uint64_t tiles(const Case& c) { return tile_count(c.extent, kTileSide); }
+uint64_t workloads(const Case& c) { return c.params<ViewParams>().workloads; }
+
+Answer expected_image(const Case& c) {
+  const View view = {c};
+  std::vector<uint32_t> image(pixels(c));
+  for (uint32_t y = 0; y < c.extent.height; ++y)
+    for (uint32_t x = 0; x < c.extent.width; ++x) image[size_t{y} * c.extent.width + x] = packed(view.at(x, y));
+  if (view.params.view == kViewWorkload)
+    for (size_t row = 0; row < workloads(c); ++row) paint_workload(view, row, image);
+  const auto bytes = std::as_bytes(std::span(image));
+  return {{"image", {.low = Bytes(bytes.begin(), bytes.end())}}};
+}
+
+}  // namespace assay::debug_view

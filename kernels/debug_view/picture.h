@@ -1,0 +1,36 @@
+// A case as its author thinks of it.
+#pragma once
+#include "harness/oracle.h"
+#include "kernels/debug_view/layout.h"
+
+namespace assay::debug_view {
+
+struct List {  // of a workload
+  std::vector<uint32_t> tiles = {};
+  uint32_t counted = 0;
+  DispatchArgs args = {};
+  uint32_t colour = 0;
+};
+
+struct Picture {
+  Extent extent = {};
+  uint32_t view = kViewMaterial;
+  std::vector<uvec2> visibility = {};
+  std::vector<uint32_t> surface_materials = {};
+  std::vector<uint32_t> material_colours = {};
+  std::vector<uint32_t> masks = {};
+  std::vector<List> lists = {};
+
+  uvec2& at(uint32_t x, uint32_t y) { return visibility[size_t{y} * extent.width + x]; }
+  uint32_t tile_total() const { return static_cast<uint32_t>(tile_count(extent, kTileSide)); }
+};
+
+// Nothing visible, masks zero, n surfaces over m materials in turn.
+Picture empty_picture(Extent, uint32_t view, uint32_t surfaces, uint32_t materials);
+// Every pixel another (surface, triangle) than its neighbours.
+Picture busy_picture(Extent, uint32_t view);
+// The list as classification would write it.
+List list_of(std::vector<uint32_t> tiles, uint32_t colour, uint32_t groups_per_tile = 32);
+Case to_case(const Picture&);
+
+}  // namespace assay::debug_view
