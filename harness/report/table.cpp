@@ -59,7 +59,7 @@ std::string as_text(const Table& table) {
   const auto line = [&](auto cell) {
     std::string text;
     for (size_t i = 0; i < widths.size(); ++i)
-      text += (i ? "  " : "") + pad(cell(i), widths[i], table.columns[i].align);
+      text += fmt::format("{}{}", i ? "  " : "", pad(cell(i), widths[i], table.columns[i].align));
     text.erase(text.find_last_not_of(' ') + 1);
     out += text + '\n';
   };
@@ -73,13 +73,13 @@ std::string as_markdown(const Table& table) {
   widths_of(table);
   std::string out = "|", rule = "|";
   for (const Column& c : table.columns) {
-    out += " " + escaped(c.head) + " |";
+    out += fmt::format(" {} |", escaped(c.head));
     rule += c.align == Align::left ? "---|" : "---:|";
   }
   out += '\n' + rule + '\n';
   for (const auto& row : table.rows) {
     out += '|';
-    for (const auto& cell : row) out += " " + escaped(cell) + " |";
+    for (const auto& cell : row) out += fmt::format(" {} |", escaped(cell));
     out += '\n';
   }
   return out;
