@@ -1,0 +1,36 @@
+#version 460
+// A tile a subgroup, in 64 / width turns (at width 128 two tiles in one): no shared memory and no barrier. A group of
+// 128 threads takes 32 tiles, whatever the width. Turns of an invocation: 16 at every width up to 64.
+#extension GL_KHR_shader_subgroup_basic : require
+#extension GL_KHR_shader_subgroup_ballot : require
+#include "kernels/edge_classification/common.glsl"
+
+layout(local_size_x = 128) in;
+WRITES(2, uvec2, edge_mask);
+
+void main() {
+  const uint tiles = edge_tile_count();
+  const uint first_tile = spread_group() * 32u;
+  const uint end = min(first_tile + 32u, tiles);
+  const uint width = gl_SubgroupSize;
+  const uint lane = gl_SubgroupInvocationID;
+  const uint at_once = max(width / 64u, 1u);  // tiles
+  for (uint tile = first_tile + gl_SubgroupID * at_once; tile < end; tile += gl_NumSubgroups * at_once) {
+    uvec4 mask = uvec4(0u);
+#ifdef MUTANT_10  // the lower half of the tile is left out
+    for (uint bit = 0u; bit < 32u; bit += width) {
+#else
+    for (uint bit = 0u; bit < 64u; bit += width) {
+#endif
+      const uint mine = tile + (bit + lane) / 64u;
+      const uvec4 votes = subgroupBallot(mine < end && is_edge(mine, (bit + lane) % 64u));
+#ifdef MUTANT_11  // votes of later turns land on the first turn's bits
+      if (width <= 32u) mask[bit / 32u] |= votes.x;
+#else
+      if (width <= 32u) mask[bit / 32u] |= votes.x << bit % 32u;
+#endif
+      else mask = votes;
+    }
+    if (lane < at_once && tile + lane < end) edge_mask[tile + lane] = lane == 0u ? mask.xy : mask.zw;
+  }
+}
