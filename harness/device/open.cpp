@@ -1,0 +1,216 @@
+// The logical device: queues, features, names, the pipeline cache.
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "harness/device/internal.h"
+
+namespace assay::device {
+
+namespace {
+
+void create_queue(Device& d, const QueueChoice& choice) {
+  Queue& q = d.queues.emplace_back();
+  q.family = choice.family;
+  q.flags = d.physical.families[q.family].queueFlags;
+  q.timestamp_bits = d.physical.families[q.family].timestampValidBits;
+  vkGetDeviceQueue(d.handle, q.family, choice.position, &q.handle);
+  const VkCommandPoolCreateInfo pool = {.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                                        .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
+                                        .queueFamilyIndex = q.family};
+  ASSAY_VK(vkCreateCommandPool(d.handle, &pool, nullptr, &q.pool));
+  const VkCommandBufferAllocateInfo buffers = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+                                               .commandPool = q.pool,
+                                               .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
+                                               .commandBufferCount = 1};
+  ASSAY_VK(vkAllocateCommandBuffers(d.handle, &buffers, &q.commands));
+  const VkFenceCreateInfo fence = {.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+  ASSAY_VK(vkCreateFence(d.handle, &fence, nullptr, &q.fence));
+}
+
+void create_sampler(Device& d) {
+  // Without anisotropy: with it, lavapipe reads the largest level under textureGrad.
+  const VkSamplerCreateInfo info = {.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
+                                    .magFilter = VK_FILTER_LINEAR,
+                                    .minFilter = VK_FILTER_LINEAR,
+                                    .mipmapMode = VK_SAMPLER_MIPMAP_MODE_LINEAR,
+                                    .addressModeU = VK_SAMPLER_ADDRESS_MODE_REPEAT,
+                                    .addressModeV = VK_SAMPLER_ADDRESS_MODE_REPEAT,
+                                    .addressModeW = VK_SAMPLER_ADDRESS_MODE_REPEAT,
+                                    .maxLod = VK_LOD_CLAMP_NONE};
+  ASSAY_VK(vkCreateSampler(d.handle, &info, nullptr, &d.sampler));
+}
+
+void destroy_queue(Device& d, Queue& q) {
+  for (const VkDescriptorPool pool : q.descriptors.pools) vkDestroyDescriptorPool(d.handle, pool, nullptr);
+  vkDestroyQueryPool(d.handle, q.queries, nullptr);
+  vkDestroyFence(d.handle, q.fence, nullptr);
+  vkDestroyCommandPool(d.handle, q.pool, nullptr);
+}
+
+void destroy_pipeline(Device& d, Pipeline& p) {
+  vkDestroyPipeline(d.handle, p.handle, nullptr);
+  vkDestroyPipelineLayout(d.handle, p.layout, nullptr);
+  for (const VkDescriptorSetLayout set : p.sets) vkDestroyDescriptorSetLayout(d.handle, set, nullptr);
+}
+
+VkDevice create_device(const Physical& p) {
+  const FeatureChain features(p);
+  const float priorities[] = {1, 1};
+  std::vector<VkDeviceQueueCreateInfo> queues = {{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
+                                                  .queueFamilyIndex = p.first.family,
+                                                  .queueCount = 1,
+                                                  .pQueuePriorities = priorities}};
+  if (p.second && p.second->family == p.first.family) queues[0].queueCount = 2;
+  if (p.second && p.second->family != p.first.family) {
+    queues.push_back(queues[0]);
+    queues[1].queueFamilyIndex = p.second->family;
+  }
+  std::vector<const char*> extensions;
+  for (const std::string& e : p.extensions) extensions.push_back(e.c_str());
+  const VkDeviceCreateInfo info = {.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
+                                   .pNext = &features.core,
+                                   .queueCreateInfoCount = static_cast<uint32_t>(queues.size()),
+                                   .pQueueCreateInfos = queues.data(),
+                                   .enabledExtensionCount = static_cast<uint32_t>(extensions.size()),
+                                   .ppEnabledExtensionNames = extensions.data()};
+  VkDevice device = VK_NULL_HANDLE;
+  ASSAY_VK(vkCreateDevice(p.handle, &info, nullptr, &device));
+  return device;
+}
+
+std::filesystem::path cache_file(const Physical& p) {
+  const char* xdg = std::getenv("XDG_CACHE_HOME");
+  const char* home = std::getenv("HOME");
+  if ((!xdg || !*xdg) && (!home || !*home)) return {};
+  const std::filesystem::path folder =
+      xdg && *xdg ? std::filesystem::path(xdg) : std::filesystem::path(home) / ".cache";
+  std::string key;
+  for (const uint8_t b : p.properties.pipelineCacheUUID) key += fmt::format("{:02x}", b);
+  return folder / "assay" / (key + ".pipelines");
+}
+
+// Drivers must refuse a foreign cache themselves, but a damaged file is better not shown to them.
+bool fits(const std::vector<char>& data, const VkPhysicalDeviceProperties& p) {
+  VkPipelineCacheHeaderVersionOne header;
+  if (data.size() < sizeof header) return false;
+  std::memcpy(&header, data.data(), sizeof header);
+  return header.headerVersion == VK_PIPELINE_CACHE_HEADER_VERSION_ONE && header.vendorID == p.vendorID &&
+         header.deviceID == p.deviceID && std::memcmp(header.pipelineCacheUUID, p.pipelineCacheUUID, VK_UUID_SIZE) == 0;
+}
+
+}  // namespace
+
+void load_pipeline_cache(Device& d) {
+  std::ifstream file(cache_file(d.physical), std::ios::binary);
+  std::vector<char> data{std::istreambuf_iterator<char>(file), {}};
+  if (!fits(data, d.physical.properties)) data.clear();
+  d.loaded_cache_bytes = data.size();
+  const VkPipelineCacheCreateInfo info = {.sType = VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO,
+                                          .initialDataSize = data.size(),
+                                          .pInitialData = data.data()};
+  ASSAY_VK(vkCreatePipelineCache(d.handle, &info, nullptr, &d.pipeline_cache));
+}
+
+// Written beside and renamed, so that two processes cannot mix; failing to write costs only time next run.
+void save_pipeline_cache(Device& d) noexcept {
+  try {
+    size_t size = 0;
+    if (vkGetPipelineCacheData(d.handle, d.pipeline_cache, &size, nullptr) != VK_SUCCESS) return;
+    const auto path = cache_file(d.physical);
+    if (size <= std::max(d.loaded_cache_bytes, sizeof(VkPipelineCacheHeaderVersionOne)) || path.empty()) return;
+    std::vector<char> data(size);
+    if (vkGetPipelineCacheData(d.handle, d.pipeline_cache, &size, data.data()) != VK_SUCCESS) return;
+    std::filesystem::create_directories(path.parent_path());
+    auto beside = path;
+    beside +=
+        fmt::format(".{}", reinterpret_cast<uintptr_t>(&d) ^
+                               static_cast<uintptr_t>(std::chrono::steady_clock::now().time_since_epoch().count()));
+    std::ofstream(beside, std::ios::binary).write(data.data(), static_cast<std::streamsize>(size));
+    std::filesystem::rename(beside, path);
+  } catch (...) {
+  }
+}
+
+Device::Device(std::unique_ptr<Instance> i, Physical p) : instance(std::move(i)), physical(std::move(p)) {
+  handle = create_device(physical);
+  try {
+    create();
+  } catch (...) {
+    for (Queue& q : queues) destroy_queue(*this, q);
+    vkDestroyPipelineCache(handle, pipeline_cache, nullptr);
+    vkDestroySampler(handle, sampler, nullptr);
+    vkDestroyDevice(handle, nullptr);
+    throw;
+  }
+}
+
+void Device::create() {
+  const FeatureChain features(physical);
+  multi_draw_indirect = features.core.features.multiDrawIndirect;
+  draw_indirect_count = features.v12.drawIndirectCount;
+  choose_subgroup_size = physical.info.subgroup_min < physical.info.subgroup_max && features.v13.subgroupSizeControl;
+  vkGetPhysicalDeviceMemoryProperties(physical.handle, &memory_types);
+  unified = physical.info.type == "cpu" || physical.info.type == "integrated";
+  create_queue(*this, physical.first);
+  if (physical.second) create_queue(*this, *physical.second);
+  families = {queues[0].family};
+  if (queues.size() > 1 && queues[1].family != families[0]) families.push_back(queues[1].family);
+  create_sampler(*this);
+  load_pipeline_cache(*this);
+}
+
+Device::~Device() {
+  if (hung) return;  // destroying what a queue still uses is undefined, and waiting for it may take forever
+  vkDeviceWaitIdle(handle);
+  save_pipeline_cache(*this);
+  for (auto& [key, pipeline] : pipelines) destroy_pipeline(*this, pipeline);
+  vkDestroyPipelineCache(handle, pipeline_cache, nullptr);
+  vkDestroySampler(handle, sampler, nullptr);
+  vkDestroyBuffer(handle, staging.handle, nullptr);
+  give_memory(*this, staging.memory);
+  release_free_memory(*this);
+  for (Queue& q : queues) destroy_queue(*this, q);
+  vkDestroyDevice(handle, nullptr);
+}
+
+void Close::operator()(Device* d) const {
+  d->white.reset();  // it holds the device as every resource does
+  const std::shared_ptr<Device> last = std::move(d->self);
+}
+
+Handle open(const Options& options) {
+  auto instance = std::make_unique<Instance>(options.validation);
+  std::vector<Physical> physical = physical_devices(*instance);
+  std::vector<Info> infos;
+  for (const Physical& p : physical) infos.push_back(p.info);
+  Physical& chosen = physical[selected(infos, options.select)];
+  if (!chosen.info.missing.empty())
+    throw Error(fmt::format("Assay cannot run on device {} '{}': {}", chosen.info.index, chosen.info.name,
+                            chosen.info.missing));
+  const auto device = std::make_shared<Device>(std::move(instance), std::move(chosen));
+  device->self = device;
+  return Handle(device.get());
+}
+
+const Info& info(const Device& d) { return d.physical.info; }
+
+std::vector<std::string> validation_messages(Device& d) {
+  const std::lock_guard lock(d.instance->messages.mutex);
+  return std::exchange(d.instance->messages.lines, {});
+}
+
+void name_object(const Device& d, VkObjectType type, uint64_t object, const std::string& name) {
+  if (!d.instance->debug_utils) return;
+  const VkDebugUtilsObjectNameInfoEXT info = {.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT,
+                                              .objectType = type,
+                                              .objectHandle = object,
+                                              .pObjectName = name.c_str()};
+  ASSAY_VK(vkSetDebugUtilsObjectNameEXT(d.handle, &info));
+}
+
+}  // namespace assay::device
