@@ -23,6 +23,9 @@ void run_hard(KernelRun& run, const std::vector<NamedCase>& cases, uint64_t of) 
     step(run, i, of);
     Case c = cases[i].make();
     if (c.name.empty()) c.name = cases[i].name;
+    const uint32_t limit = run.options.extent_limit;
+    if (limit != 0 && std::max(c.extent.width, c.extent.height) > limit) continue;
+    c.judge_all = run.options.nightly;
     const Prepared prepared = prepare(run.kernel, std::move(c), device::info(*run.session.device).traits);
     run_everywhere(run, prepared, cases[i].replay, Kind::hard);
   }
@@ -33,8 +36,9 @@ struct PreparedTrial {
   Prepared prepared;
 };
 
-PreparedTrial prepare_trial(const Kernel& kernel, uint64_t seed, const DeviceTraits& traits) {
+PreparedTrial prepare_trial(const Kernel& kernel, uint64_t seed, const DeviceTraits& traits, bool judge_all) {
   Trial trial = random_case(kernel, seed);
+  trial.input.judge_all = judge_all;
   Prepared prepared = prepare(kernel, std::move(trial.input), traits);
   trial.input = {.extent = prepared.input.extent};
   return {std::move(trial), std::move(prepared)};
@@ -44,9 +48,10 @@ PreparedTrial prepare_trial(const Kernel& kernel, uint64_t seed, const DeviceTra
 void run_trials(KernelRun& run, uint64_t first_seed, uint64_t trials, uint64_t done, uint64_t of) {
   const DeviceTraits traits = device::info(*run.session.device).traits;
   const auto begin = [&](uint64_t t) {
-    return std::async(std::launch::async, [&kernel = run.kernel, seed = first_seed + t, traits] {
-      return prepare_trial(kernel, seed, traits);
-    });
+    return std::async(std::launch::async,
+                      [&kernel = run.kernel, seed = first_seed + t, traits, all = run.options.nightly] {
+                        return prepare_trial(kernel, seed, traits, all);
+                      });
   };
   Coverage coverage;
   std::future<PreparedTrial> next = trials > 0 ? begin(0) : std::future<PreparedTrial>{};

@@ -17,8 +17,9 @@ struct Options {
   std::string case_name = {};             // a hard case, a fixture of the kernel, or a path to a case file; empty: all
   std::optional<uint64_t> seed = {};      // one random trial
   uint32_t trials = 50;
-  bool hard = true;      // run the hard cases
-  bool nightly = false;  // the large ones too, and oracles unsampled
+  bool hard = true;           // run the hard cases
+  bool nightly = false;       // the large ones too, and oracles unsampled
+  uint32_t extent_limit = 0;  // leaves out hard cases with more pixels a side; 0: none
   std::filesystem::path fixtures = "fixtures", failures = "out/failures";
   std::function<void(const std::string& what, uint64_t done, uint64_t of)> progress = {};
 };

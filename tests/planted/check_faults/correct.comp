@@ -1,0 +1,2 @@
+#version 460
+#include "tests/planted/check_faults/body.glsl"

@@ -1,0 +1,3 @@
+#version 460
+#define STRAY
+#include "tests/planted/check_faults/body.glsl"

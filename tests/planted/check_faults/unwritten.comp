@@ -1,0 +1,3 @@
+#version 460
+#define UNWRITTEN
+#include "tests/planted/check_faults/body.glsl"

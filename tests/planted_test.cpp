@@ -1,0 +1,215 @@
+// The checker against kernels with planted faults: each is found, told in the right words, made smaller and replayed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "harness/check/check.h"
+#include "tests/check_report.h"
+#include "tests/run.h"
+
+namespace assay::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+const Kernel& faults() { return planted("check_faults"); }
+
+class Planted : public testing::Test {
+ protected:
+  Planted() {
+    options_.failures = fs::temp_directory_path() /
+                        ("assay-planted-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    options_.fixtures = options_.failures / "fixtures";
+  }
+  ~Planted() override { fs::remove_all(options_.failures); }
+
+  check::KernelResult run(const std::string& variant, uint32_t trials = 0) {
+    options_.variant = variant;
+    options_.trials = trials;
+    return check::check_kernel(device(), device_options(), options_, faults());
+  }
+  // The variant fails on the marked hard case alone, in these words, and its shrunk case still does.
+  void expect_fault(const std::string& variant, const std::string& words) {
+    const check::KernelResult result = run(variant);
+    const check::VariantResult& v = result.variants.at(0);
+    EXPECT_EQ(v.violations, 1u) << complaints_of({result});
+    EXPECT_FALSE(check::passed({result}));
+    ASSERT_EQ(v.failures.size(), 1u);
+    EXPECT_NE(v.failures[0].text.find("check_faults " + variant + ", case marked, seed "), std::string::npos)
+        << v.failures[0].text;
+    EXPECT_NE(v.failures[0].text.find(words), std::string::npos) << v.failures[0].text;
+    EXPECT_EQ(v.failures[0].replay, "build/assay check check_faults --variant " + variant + " --case marked");
+    expect_replay(variant, v.failures[0].file, words.substr(0, words.find_first_of("0123456789")));
+  }
+  void expect_replay(const std::string& variant, const fs::path& file, const std::string& words) {
+    const Case shrunk = check::load_case(file, faults());
+    EXPECT_EQ(shrunk.extent.width, 1u);  // the one element that is marked
+    options_.case_name = file.string();
+    const check::KernelResult again = run(variant);
+    EXPECT_EQ(again.variants.at(0).cases, 1u);
+    ASSERT_EQ(again.variants.at(0).violations, 1u);
+    EXPECT_NE(again.variants.at(0).failures.at(0).text.find(words), std::string::npos);
+  }
+
+  check::Options options_;
+};
+
+TEST_F(Planted, CorrectPasses) {
+  const check::KernelResult result = run("correct", 20);
+  EXPECT_TRUE(check::passed({result})) << complaints_of({result});
+  const check::VariantResult& v = result.variants.at(0);
+  EXPECT_EQ(v.cases, 2u);
+  EXPECT_EQ(v.trials, 20u);
+  EXPECT_GT(v.judged, 2000u);
+  EXPECT_EQ(v.bounds.at(0).worst, 0);
+}
+
+TEST_F(Planted, StrayWrite) { expect_fault("stray", "stray write behind pairs: byte 0 of the guard"); }
+TEST_F(Planted, UnwrittenElement) { expect_fault("unwritten", "pairs: element 7 was not written"); }
+TEST_F(Planted, HalfWrittenElement) { expect_fault("half_written", "pairs: element 7 was not written"); }
+TEST_F(Planted, TouchedElement) { expect_fault("touched", "list: element 102 was written"); }
+TEST_F(Planted, WrongValue) {
+  expect_fault("wrong_value", "ulps(pairs): element 7: expected .key 22 (0x16), got .key 23 (0x17)");
+}
+TEST_F(Planted, NotANumber) {
+  expect_fault("not_a_number", "ulps(pairs): element 7: expected .half_value 3.5 (0x40600000), got");
+}
+TEST_F(Planted, InputWritten) { expect_fault("input_written", "input values was written"); }
+
+TEST_F(Planted, AnotherOrderIsTheSameSet) {
+  const check::KernelResult result = run("reversed", 20);
+  EXPECT_TRUE(check::passed({result})) << complaints_of({result});
+}
+
+TEST_F(Planted, AnElementTwiceIsAnotherSet) {
+  const check::VariantResult v = run("repeated").variants.at(0);
+  ASSERT_EQ(v.violations, 1u);
+  EXPECT_NE(v.failures.at(0).text.find("same_set(list): elements 0 to 99 as a set: expected 7, got 0; 1 of 100 differ"),
+            std::string::npos)
+      << v.failures.at(0).text;
+}
+
+TEST_F(Planted, ATrialReplaysByItsSeed) {
+  const check::VariantResult v = run("wrong_value", 3).variants.at(0);
+  ASSERT_EQ(v.violations, 4u);
+  EXPECT_NE(v.failures.at(1).text.find("case seed1, seed 1"), std::string::npos) << v.failures.at(1).text;
+  EXPECT_EQ(v.failures.at(3).replay, "build/assay check check_faults --variant wrong_value --seed 3");
+  options_.seed = 3;
+  const check::VariantResult again = run("wrong_value", 50).variants.at(0);
+  EXPECT_EQ(again.trials, 1u);
+  EXPECT_EQ(again.cases, 0u);
+  ASSERT_EQ(again.violations, 1u);
+  const auto first_line = [](const std::string& text) { return text.substr(0, text.find('\n')); };
+  EXPECT_EQ(first_line(again.failures[0].text), first_line(v.failures[3].text));
+}
+
+TEST_F(Planted, AFixtureRunsAsAHardCase) {
+  const check::VariantResult v = run("wrong_value").variants.at(0);
+  fs::create_directories(options_.fixtures / "check_faults");
+  fs::copy(v.failures.at(0).file, options_.fixtures / "check_faults" / "kept.case");
+  const check::VariantResult all = run("wrong_value").variants.at(0);
+  EXPECT_EQ(all.cases, 3u);
+  EXPECT_EQ(all.violations, 2u);
+  options_.case_name = "kept";
+  EXPECT_EQ(run("wrong_value").variants.at(0).violations, 1u);
+}
+
+TEST_F(Planted, AVariantThatKeepsFailingIsStopped) {
+  const check::VariantResult v = run("wrong_value", 40).variants.at(0);
+  EXPECT_EQ(v.violations, 10u);
+  EXPECT_EQ(v.failures.size(), 10u);
+  EXPECT_LT(v.trials, 40u);
+  EXPECT_NE(v.failures.back().text.find("10 failures: wrong_value is not run further"), std::string::npos);
+}
+
+TEST_F(Planted, ABaselineIsHeldToMemorySafetyOnly) {
+  Kernel kernel = faults();
+  for (Variant& variant : kernel.variants) variant.baseline = true;
+  options_.trials = 0;
+  const check::KernelResult result = check::check_kernel(device(), device_options(), options_, kernel);
+  for (const check::VariantResult& v : result.variants) {
+    const bool unsafe = v.name == "stray" || v.name == "input_written";
+    EXPECT_EQ(v.violations, unsafe ? 1u : 0u) << v.name;
+    EXPECT_EQ(std::isinf(v.bounds.at(0).worst), v.name != "correct" && v.name != "stray" && v.name != "touched" &&
+                                                    v.name != "input_written" && v.name != "reversed" &&
+                                                    v.name != "repeated")
+        << v.name;
+  }
+}
+
+TEST_F(Planted, AnUndecidedOracleIsAComplaint) {
+  Kernel kernel = faults();
+  kernel.bounds = {between({"list"}, "")};
+  kernel.oracle = [](const Case& c) {
+    const auto values = c.input<uint32_t>("values");
+    Expected e{.low = c.inputs.at("values"), .high = c.inputs.at("values")};
+    for (uint32_t i = 0; i <= values.size(); ++i) e.first.push_back(i);
+    e.live = {{0, values.size()}};
+    auto* last = reinterpret_cast<uint32_t*>(e.high.data()) + values.size() - 1;
+    ++*last;
+    return Answer{{"list", e}};
+  };
+  options_.variant = "correct";
+  options_.trials = 5;
+  EXPECT_FALSE(check::passed({check::check_kernel(device(), device_options(), options_, kernel)}));
+  kernel.undecided_limit = 1;
+  const check::KernelResult result = check::check_kernel(device(), device_options(), options_, kernel);
+  EXPECT_TRUE(check::passed({result})) << complaints_of({result});
+  EXPECT_EQ(result.variants.at(0).undecided, 7u);  // one a case and trial
+  EXPECT_EQ(result.variants.at(0).hard_undecided, 2u);
+}
+
+TEST_F(Planted, AnOracleThatSaysNothingIsAComplaint) {
+  Kernel kernel = faults();
+  kernel.oracle = [](const Case&) { return Answer{}; };
+  options_.variant = "correct";
+  const check::KernelResult result = check::check_kernel(device(), device_options(), options_, kernel);
+  EXPECT_EQ(result.complaints, std::vector<std::string>{"check_faults: the oracle says nothing of ulps(pairs)"});
+}
+
+TEST_F(Planted, AVariantThatCannotRunIsSkippedWithItsReason) {
+  Kernel kernel = faults();
+  kernel.variants.resize(2);
+  kernel.variants[0].subgroup_min = 100;
+  kernel.variants[1].subgroup_min = 100;
+  const check::KernelResult result = check::check_kernel(device(), device_options(), options_, kernel);
+  EXPECT_NE(result.variants.at(0).skipped, "");
+  EXPECT_EQ(result.variants.at(0).cases, 0u);
+  EXPECT_EQ(result.complaints, std::vector<std::string>{"no variant can run on this device"});
+}
+
+TEST_F(Planted, MutantsAreToldApart) {
+  Kernel kernel = faults();
+  kernel.variants.resize(1);
+  const auto results = check::mutate_kernel(device(), device_options(), kernel, 3);
+  ASSERT_EQ(results.size(), 3u);
+  EXPECT_EQ(results[0].killed_by, "marked");
+  EXPECT_EQ(results[1].killed_by, "marked");
+  EXPECT_EQ(results[1].named, "unmarked");
+  EXPECT_EQ(results[2].killed_by, "");
+}
+
+#ifdef ASSAY_TESTS
+constexpr int32_t kDeviceLost = -4, kOutOfDeviceMemory = -2;
+
+TEST_F(Planted, ALostDeviceIsReplacedAndReported) {
+  device::inject_failure("vkQueueSubmit2", kDeviceLost, 2);
+  const check::KernelResult result = run("correct", 5);
+  EXPECT_TRUE(check::passed({result})) << complaints_of({result});
+  EXPECT_EQ(result.variants.at(0).flaky, 1u);
+}
+
+TEST_F(Planted, OutOfMemoryIsAViolation) {
+  run("correct");  // so that the next allocation is a port's
+  device::inject_failure("vkAllocateMemory", kOutOfDeviceMemory);
+  const check::KernelResult result = run("correct");
+  EXPECT_EQ(result.variants.at(0).violations, 1u);
+  EXPECT_NE(complaints_of({result}).find("VK_ERROR_OUT_OF_DEVICE_MEMORY"), std::string::npos)
+      << complaints_of({result});
+}
+#endif
+
+}  // namespace
+}  // namespace assay::tests

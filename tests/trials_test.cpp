@@ -1,0 +1,139 @@
+// Generators that starve a branch are told off; shrinking ends at the smallest case that still fails; poison is poison.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/check/cases.h"
+#include "harness/check/run_case.h"
+#include "harness/check/shrink.h"
+
+namespace assay::tests {
+namespace {
+
+using check::Coverage;
+
+Coverage sound() { return {.trials = 1000, .wide = 300, .large = 50, .branches = {{"even", 990}, {"odd", 10}}}; }
+
+std::vector<std::string> complaints(const Coverage& c) { return check::complaints(c, {"even", "odd"}); }
+
+TEST(Trials, CoverageAtItsLimitsPasses) { EXPECT_TRUE(complaints(sound()).empty()); }
+
+TEST(Trials, StarvedBranchesAreNamed) {
+  Coverage c = sound();
+  c.branches["odd"] = 9;
+  EXPECT_EQ(complaints(c), std::vector<std::string>{"branch odd fired in 9 of 1000 trials, under 1 %"});
+  c.branches.erase("odd");
+  EXPECT_EQ(complaints(c).size(), 1u);
+}
+
+TEST(Trials, SmallTrialsAreNotEnough) {
+  Coverage c = sound();
+  c.wide = 299;
+  EXPECT_EQ(complaints(c), std::vector<std::string>{"299 of 1000 trials span over 4 tiles a side, under 30 %"});
+  c = sound();
+  c.large = 49;
+  EXPECT_EQ(complaints(c), std::vector<std::string>{"49 of 1000 trials hold over 100,000 items, under 5 %"});
+}
+
+TEST(Trials, FewTrialsProveNothingButUndeclaredBranchesDo) {
+  Coverage c{.trials = 10, .branches = {{"even", 10}}};
+  EXPECT_TRUE(complaints(c).empty());
+  c.branches["sideways"] = 1;
+  EXPECT_EQ(complaints(c),
+            std::vector<std::string>{"the generator took branch sideways, which inputs.branches does not declare"});
+}
+
+TEST(Trials, SizesAreNoted) {
+  Coverage c;
+  check::note(c, {.input = {.extent = {129, 129}}, .items = 129 * 129, .taken = {"odd"}});
+  check::note(c, {.input = {.extent = {1000, 128}}, .items = 128000, .taken = {"odd"}});
+  EXPECT_EQ(c.trials, 2u);
+  EXPECT_EQ(c.wide, 1u);
+  EXPECT_EQ(c.large, 1u);
+  EXPECT_EQ(c.branches.at("odd"), 2u);
+}
+
+TEST(Trials, ItemsArePixelsOrTheLongestInput) {
+  Kernel kernel{.name = "k", .ports = {reads<glm::uvec4>("list", fixed(20)), writes<uint32_t>("out", pixels)}};
+  kernel.inputs.random = [](Random&) {
+    Case c{.extent = {3, 5}};
+    c.set_input("list", std::vector<glm::uvec4>(20));
+    return c;
+  };
+  const check::Trial trial = check::random_case(kernel, 77);
+  EXPECT_EQ(trial.items, 20u);
+  EXPECT_EQ(trial.input.seed, 77u);
+  EXPECT_EQ(trial.input.name, "seed77");
+}
+
+Kernel list_kernel() {
+  Kernel kernel{.name = "list", .ports = {reads<uint32_t>("values", pixels)}};
+  kernel.inputs.smaller = [](const Case& c) {
+    const auto values = c.input<uint32_t>("values");
+    std::vector<Case> halves;
+    if (values.size() < 2) return halves;
+    for (const auto& part : {values.first(values.size() / 2), values.subspan(values.size() / 2)}) {
+      Case half{.extent = {static_cast<uint32_t>(part.size()), 1}};
+      half.set_input("values", part);
+      halves.push_back(half);
+    }
+    return halves;
+  };
+  return kernel;
+}
+
+Case list_case() {
+  Case c{.name = "long", .seed = 9, .extent = {100, 1}};
+  std::vector<uint32_t> values(100, 3);
+  values[61] = 7;
+  c.set_input("values", values);
+  return c;
+}
+
+bool holds_a_seven(const Case& c) {
+  const auto values = c.input<uint32_t>("values");
+  return std::find(values.begin(), values.end(), 7u) != values.end();
+}
+
+TEST(Trials, ShrinkingByTheKernelsOwnSteps) {
+  const check::Shrunk shrunk = check::shrink(list_kernel(), list_case(), holds_a_seven);
+  EXPECT_EQ(shrunk.input.inputs.at("values").size(), 4u);
+  EXPECT_EQ(shrunk.input.seed, 9u);
+  EXPECT_EQ(shrunk.input.name, "long");
+}
+
+TEST(Trials, ShrinkingByZeros) {
+  Kernel kernel = list_kernel();
+  kernel.inputs.smaller = {};
+  const check::Shrunk shrunk = check::shrink(kernel, list_case(), holds_a_seven);
+  const auto values = shrunk.input.input<uint32_t>("values");
+  EXPECT_EQ(values.size(), 100u);
+  EXPECT_LE(std::ranges::count_if(values, [](uint32_t v) { return v != 0; }), 2);
+}
+
+TEST(Trials, ShrinkingEndsAndOutlivesExceptions) {
+  uint32_t asked = 0;
+  const auto throws = [&](const Case&) -> bool {
+    ++asked;
+    throw std::logic_error("the oracle cannot");
+  };
+  const check::Shrunk shrunk = check::shrink(list_kernel(), list_case(), throws, {.attempts = 5});
+  EXPECT_EQ(asked, 5u);
+  EXPECT_EQ(shrunk.steps, 0u);
+  EXPECT_EQ(shrunk.input.inputs, list_case().inputs);
+}
+
+TEST(Trials, PoisonIsNoPlausibleValue) {
+  for (uint64_t seed = 0; seed < 1000; ++seed) {
+    const uint32_t a = check::poison_word(seed, 0), b = check::poison_word(seed, 1);
+    for (const uint32_t word : {a, b}) {
+      EXPECT_TRUE(std::isnan(std::bit_cast<float>(word)));
+      EXPECT_NE(word, 0xffffffffu);
+    }
+    for (uint32_t byte = 0; byte < 4; ++byte) EXPECT_NE(a >> (8 * byte) & 0xff, b >> (8 * byte) & 0xff);
+  }
+}
+
+}  // namespace
+}  // namespace assay::tests
