@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "harness/frame/graph.h"
+
 namespace assay::frame {
 
 struct PassNote {
@@ -27,6 +29,7 @@ struct Explanation {
   std::vector<ResourceNote> resources;
 };
 
+Explanation explain(const Graph&, const std::map<std::string, uint64_t>& scene_bytes);
 uint64_t total_bytes(const Explanation&);
 std::string to_text(const Explanation&);     // two tables, a line each pass and resource
 nlohmann::json to_json(const Explanation&);  // {"passes":[...],"resources":[...],"bytes":n}

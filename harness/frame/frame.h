@@ -27,6 +27,7 @@ struct Options {
       {};  // kernel -> variant or label ("visibility" -> "slim"); else default
   // Resources that must be computed; whatever none of them needs is left out. Empty: the picture and the statistics.
   std::vector<std::string> goals = {};
+  bool warm_up = true;  // draw once before the times are taken: shaders compile at their first dispatch
   // Called as the work proceeds; `done` of `of` steps are finished when `what` begins.
   std::function<void(const std::string& what, uint64_t done, uint64_t of)> progress = {};
 };

@@ -1,0 +1,198 @@
+#include "harness/frame/frame.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+
+#include "harness/frame/hazards.h"
+#include "harness/frame/legend.h"
+#include "harness/frame/record.h"
+
+namespace assay::frame {
+
+namespace {
+
+constexpr const char* kImage = "debug_view.image";
+constexpr uint32_t kLargestSide = 16384;  // that every Vulkan 1.3 device renders to, lavapipe included
+
+struct Prepared {
+  scene::Gathered gathered;
+  std::map<std::string, uint64_t> scene_bytes;
+  uint32_t view = 0;
+  Graph graph;
+};
+
+bool in_registry(const std::string& resource) {
+  const std::string kernel = resource.substr(0, resource.find('.'));
+  return std::ranges::find(all_kernels(), kernel, &Kernel::name) != all_kernels().end();
+}
+
+std::vector<std::string> goals_of(const Options& options) {
+  if (!options.goals.empty()) return options.goals;
+  std::vector<std::string> goals = {kImage};
+  for (const char* statistics : {kStatistics, kWorkloadCounts})
+    if (in_registry(statistics)) goals.push_back(statistics);
+  return goals;
+}
+
+uint32_t view_index(const std::string& view) {
+  const auto& names = view_names();
+  const auto it = std::ranges::find(names, view);
+  if (it == names.end())
+    throw std::invalid_argument(fmt::format("no view '{}'; there are {}", view, fmt::join(names, ", ")));
+  return static_cast<uint32_t>(it - names.begin());
+}
+
+void require_size(Extent e) {
+  if (e.width == 0 || e.height == 0 || e.width > kLargestSide || e.height > kLargestSide)
+    throw std::invalid_argument(
+        fmt::format("a frame of {}x{} pixels cannot be drawn; a side has 1 to {}", e.width, e.height, kLargestSide));
+}
+
+void require_ranges(const Graph& g, const device::Info& info) {
+  for (const Resource& r : g.resources)
+    if (r.port->kind == PortKind::buffer && r.bytes + device::kGuardBytes > info.max_buffer_range)
+      throw std::invalid_argument(
+          fmt::format("{} needs {} bytes, and {} binds {} at most: ask for a smaller picture or scene", r.name, r.bytes,
+                      info.name, info.max_buffer_range));
+}
+
+Prepared prepare(const device::Info& info, const scene::Scene& scene, const scene::Camera& camera,
+                 const Options& options) {
+  require_size(options.size);
+  Prepared p = {.view = view_index(options.view)};
+  p.gathered = scene::gather(scene, camera, options.size);
+  p.scene_bytes = scene_bytes(p.gathered);
+  p.graph = build_graph({.kernels = all_kernels(),
+                         .view = {.extent = options.size,
+                                  .scene = p.gathered.counts,
+                                  .near_plane = static_cast<float>(camera.near_plane),
+                                  .view = p.view},
+                         .scene = p.scene_bytes,
+                         .variants = options.variants,
+                         .goals = goals_of(options),
+                         .device = &info});
+  require_ranges(p.graph, info);
+  return p;
+}
+
+std::map<std::string, Bytes> download(device::Device& d, const Graph& graph, const Allocated& allocated) {
+  std::vector<std::string> names = graph.goals;
+  for (const char* extra : {"visibility.visibility", "visibility.depth", "tile_classification.masks"})
+    names.push_back(extra);
+  std::map<std::string, Bytes> downloads;
+  for (const std::string& name : names)
+    if (const size_t at = resource_named(graph, name); at != kNobody && !downloads.contains(name))
+      downloads[name] = device::read(d, *allocated.resources[at]);
+  return downloads;
+}
+
+void show(Result& r, const Prepared& p, const scene::Scene& scene) {
+  const auto picture = r.downloads.find(kImage);
+  if (picture == r.downloads.end()) return;
+  r.image = {r.size.width, r.size.height, std::vector<uint8_t>(picture->second.size())};
+  std::memcpy(r.image.texels.data(), picture->second.data(), picture->second.size());
+  const size_t maker = p.graph.resources[resource_named(p.graph, kImage)].producer;
+  r.legend = legend_of(r, scene, p.gathered, p.graph.nodes[maker].input, p.view);
+}
+
+template <class T>
+std::vector<T> values_of(const Result& r, const std::string& name) {
+  const auto it = r.downloads.find(name);
+  if (it == r.downloads.end()) throw std::invalid_argument("the frame holds no " + name);
+  std::vector<T> values(it->second.size() / sizeof(T));
+  std::memcpy(values.data(), it->second.data(), values.size() * sizeof(T));
+  return values;
+}
+
+}  // namespace
+
+const std::vector<std::string>& view_names() {
+  static const std::vector<std::string> names = {"material", "triangle", "tile", "workload"};
+  return names;
+}
+
+Result render(device::Device& d, const scene::Scene& scene, const scene::Camera& camera, const Options& options) {
+  constexpr uint64_t kSteps = 6;
+  uint64_t done = 0;
+  const auto step = [&](const char* what) {
+    if (options.progress) options.progress(what, done, kSteps);
+    ++done;
+  };
+  step("gathering the scene");
+  const Prepared p = prepare(device::info(d), scene, camera, options);
+  step("uploading");
+  const Allocated allocated = allocate(d, p.graph, p.gathered);
+  step("recording");
+  const auto commands = record(d, p.graph, allocated);
+  require_no_hazards(commands);
+  step("warming up");
+  if (options.warm_up) device::run(d, commands);
+  step("drawing");
+  const device::Timing timing = device::run(d, commands);
+  step("reading back");
+
+  Result r = {.size = options.size};
+  r.title = fmt::format("{}, {}x{}, {}", scene.name, options.size.width, options.size.height, options.view);
+  r.passes = pass_times(timing);
+  r.gpu_ns = timing.stamps.empty() ? 0 : timing.stamps.back().time_ns;
+  r.cpu_ns = timing.cpu_ns;
+  r.explanation = explain(p.graph, p.scene_bytes);
+  r.notes = scene.notes;
+  r.notes.insert(r.notes.end(), p.gathered.notes.begin(), p.gathered.notes.end());
+  r.downloads = download(d, p.graph, allocated);
+  r.statistics = pass_shares(r.downloads);
+  show(r, p, scene);
+  return r;
+}
+
+Explanation explain(const device::Info& info, const scene::Scene& scene, const scene::Camera& camera,
+                    const Options& options) {
+  const Prepared p = prepare(info, scene, camera, options);
+  return explain(p.graph, p.scene_bytes);
+}
+
+void write_exr(const std::filesystem::path& path, const Result& r) {
+  image::Layers layers = {r.size.width, r.size.height, {}};
+  std::vector<uint32_t> triangle, surface;
+  for (const uvec2 v : values_of<uvec2>(r, "visibility.visibility")) {
+    triangle.push_back(v.x);
+    surface.push_back(v.y);
+  }
+  layers.channels.push_back({"depth.Z", image::Sample::float32, values_of<float>(r, "visibility.depth"), {}});
+  layers.channels.push_back({"visibility.surface", image::Sample::uint32, {}, std::move(surface)});
+  layers.channels.push_back({"visibility.triangle", image::Sample::uint32, {}, std::move(triangle)});
+  image::write_exr(path, layers);
+}
+
+void write_png(const std::filesystem::path& path, const Result& r) {
+  image::write_png(path, image::with_legend(r.image, r.title, r.legend));
+}
+
+std::string times_to_text(const Result& r) {
+  size_t kernel = 0, pass = 0;
+  for (const PassTime& t : r.passes) kernel = std::max(kernel, t.kernel.size()), pass = std::max(pass, t.pass.size());
+  std::string text;
+  for (const PassTime& t : r.passes)
+    text += fmt::format("{:<{}}  {:<{}}  {:9.3f} ms  {:4.1f}%\n", t.kernel, kernel,
+                        t.commands > 1 ? fmt::format("{} x{}", t.pass, t.commands) : t.pass, pass + 3, t.time_ns / 1e6,
+                        r.gpu_ns > 0 ? 100 * t.time_ns / r.gpu_ns : 0.0);
+  return text + fmt::format("{:<{}}  {:<{}}  {:9.3f} ms\n", "all", kernel, "", pass + 3, r.gpu_ns / 1e6);
+}
+
+nlohmann::json to_json(const Result& r) {
+  nlohmann::json passes = nlohmann::json::array(), legend = nlohmann::json::array();
+  for (const PassTime& t : r.passes)
+    passes.push_back({{"kernel", t.kernel}, {"pass", t.pass}, {"commands", t.commands}, {"time_ns", t.time_ns}});
+  for (const image::LegendRow& row : r.legend)
+    legend.push_back({{"colour", fmt::format("#{:02x}{:02x}{:02x}", row.r, row.g, row.b)}, {"text", row.text}});
+  return {{"title", r.title},        {"width", r.size.width},
+          {"height", r.size.height}, {"passes", passes},
+          {"gpu_ns", r.gpu_ns},      {"cpu_ns", r.cpu_ns},
+          {"legend", legend},        {"statistics", to_json(r.statistics)},
+          {"notes", r.notes},        {"explanation", to_json(r.explanation)}};
+}
+
+}  // namespace assay::frame

@@ -1,0 +1,198 @@
+#include "harness/frame/legend.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <map>
+#include <set>
+
+#include "harness/formats/debug_view.h"
+#include "harness/formats/visibility.h"
+#include "harness/formats/workloads.h"
+
+namespace assay::frame {
+
+namespace {
+
+constexpr size_t kMostRows = 36;  // of one legend; the rest is counted
+
+constexpr std::pair<uint32_t, const char*> kFeatureNames[] = {
+    {kFeatureOpaque, "opaque"},
+    {kFeatureMasked, "masked"},
+    {kFeatureDoubleSided, "two-sided"},
+    {kFeatureCloth, "cloth"},
+    {kFeatureSkin, "skin"},
+    {kFeatureDecals, "decals"},
+    {kFeatureWetnessDrops, "drops"},
+    {kFeaturePuddles, "puddles"},
+    {kFeatureCaustics, "caustics"},
+    {kFeatureSubsurface, "subsurface"},
+    {kFeatureReflective, "reflective"},
+    {kFeatureEmissive, "emissive"},
+    {kFeatureTextured, "textured"},
+};
+
+struct Row {
+  uint32_t colour;
+  std::string text;
+  uint64_t count;
+};
+
+struct Looking {
+  const Result& result;
+  const scene::Scene& scene;
+  const scene::Gathered& gathered;
+  const Case& palette;
+
+  std::vector<uvec2> visibility() const { return words<uvec2>("visibility.visibility"); }
+  template <class T>
+  std::vector<T> words(const std::string& name) const {
+    const auto it = result.downloads.find(name);
+    if (it == result.downloads.end()) return {};
+    std::vector<T> values(it->second.size() / sizeof(T));
+    std::memcpy(values.data(), it->second.data(), values.size() * sizeof(T));
+    return values;
+  }
+  uint32_t image_at(uint32_t x, uint32_t y) const {
+    const uint8_t* texel = &result.image.texels[(size_t{y} * result.size.width + x) * 4];
+    return texel[0] | static_cast<uint32_t>(texel[1]) << 8 | static_cast<uint32_t>(texel[2]) << 16;
+  }
+  std::string share(uint64_t part, uint64_t of) const {
+    return fmt::format("{:.1f}%", of ? 100.0 * static_cast<double>(part) / static_cast<double>(of) : 0.0);
+  }
+};
+
+// The picture's colour at the first pixel without a surface.
+void add_nothing_row(const Looking& l, const std::vector<uvec2>& visibility, std::vector<Row>& rows) {
+  const auto is_nothing = [](uvec2 v) { return v == uvec2(kVisibilityNone); };
+  const auto first = std::ranges::find_if(visibility, is_nothing);
+  if (first == visibility.end()) return;
+  const auto at = static_cast<uint32_t>(first - visibility.begin());
+  const auto count = static_cast<uint64_t>(std::ranges::count_if(visibility, is_nothing));
+  rows.push_back({l.image_at(at % l.result.size.width, at / l.result.size.width),
+                  "no surface, " + l.share(count, visibility.size()) + " of the pixels", count});
+}
+
+std::vector<Row> material_rows(const Looking& l) {
+  const auto visibility = l.visibility();
+  const auto colours = l.palette.input<uint32_t>("material_colours");
+  std::map<uint32_t, uint64_t> pixels_of;
+  for (const uvec2 v : visibility)
+    if (v != uvec2(kVisibilityNone)) ++pixels_of[l.gathered.surfaces.at(v.y & kVisibilitySurfaceMask).material];
+  std::vector<Row> rows;
+  for (const auto& [material, count] : pixels_of) {
+    const std::string& name = l.scene.materials[material].name;
+    rows.push_back({colours[material],
+                    fmt::format("{}, {}", name.empty() ? fmt::format("material {}", material) : name,
+                                l.share(count, visibility.size())),
+                    count});
+  }
+  add_nothing_row(l, visibility, rows);
+  return rows;
+}
+
+std::vector<Row> triangle_rows(const Looking& l) {
+  const auto visibility = l.visibility();
+  std::set<std::pair<uint32_t, uint32_t>> triangles;
+  std::set<uint32_t> surfaces;
+  for (const uvec2 v : visibility)
+    if (v != uvec2(kVisibilityNone)) {
+      triangles.emplace(v.y & kVisibilitySurfaceMask, v.x);
+      surfaces.insert(v.y & kVisibilitySurfaceMask);
+    }
+  const uint64_t covered =
+      static_cast<uint64_t>(std::ranges::count_if(visibility, [](uvec2 v) { return v != uvec2(kVisibilityNone); }));
+  std::vector<Row> rows = {
+      {0x808080,
+       fmt::format("a colour a triangle: {} triangles of {} surfaces, {:.1f} pixels a triangle", triangles.size(),
+                   surfaces.size(),
+                   triangles.empty() ? 0.0 : static_cast<double>(covered) / static_cast<double>(triangles.size())),
+       ~uint64_t{0}}};
+  add_nothing_row(l, visibility, rows);
+  return rows;
+}
+
+// Heat by number of features, then the sets themselves in the colours of their squares, read off the picture.
+std::vector<Row> tile_rows(const Looking& l) {
+  const auto masks = l.words<uint32_t>("tile_classification.masks");
+  const auto heat = l.palette.input<uint32_t>("heat_colours");
+  const uint32_t across = ceil_div(l.result.size.width, kTileSide);
+  std::map<int, uint64_t> tiles_of_heat;
+  std::map<uint32_t, std::pair<uint64_t, uint32_t>> tiles_of_mask;  // how many, and the colour of the square
+  for (uint32_t t = 0; t < masks.size(); ++t) {
+    ++tiles_of_heat[std::popcount(masks[t])];
+    auto& [count, colour] = tiles_of_mask[masks[t]];
+    ++count;
+    const uint32_t x = t % across * kTileSide + 4, y = t / across * kTileSide + 4;  // inside the square
+    if (colour == 0 && x < l.result.size.width && y < l.result.size.height) colour = l.image_at(x, y);
+  }
+  std::vector<Row> rows;
+  for (const auto& [bits, count] : tiles_of_heat)
+    rows.push_back(
+        {heat[static_cast<size_t>(bits)],
+         fmt::format("{} feature{}, {} of the tiles", bits, bits == 1 ? "" : "s", l.share(count, masks.size())),
+         ~uint64_t{0} - static_cast<uint64_t>(bits)});
+  for (const auto& [mask, tiles] : tiles_of_mask)
+    if (mask)
+      rows.push_back({tiles.second,
+                      fmt::format("square: {}, {}", feature_names(mask), l.share(tiles.first, masks.size())),
+                      tiles.first});
+  return rows;
+}
+
+std::vector<Row> workload_rows(const Looking& l) {
+  const auto colours = l.palette.input<uint32_t>("workload_colours");
+  std::vector<Row> rows;
+  for (size_t p = 0; p < l.result.statistics.size(); ++p) {
+    const PassShare& pass = l.result.statistics[p];
+    bool shown = false;
+    size_t next = 0;
+    for (size_t w = 0; w < std::size(kFrameWorkloads) && w < colours.size(); ++w) {
+      if (kFrameWorkloads[w].row.pass != p) continue;
+      const WorkloadShare& share = pass.workloads.at(next++);
+      if (colours[w] == 0) continue;
+      shown = true;
+      rows.push_back(
+          {colours[w],
+           fmt::format("{} ({}), {} tiles, {:.1f}%", share.name, share.colour, share.tiles, 100 * share.share),
+           share.tiles});
+    }
+    if (shown)
+      rows.push_back(
+          {0x302820, fmt::format("discarded by {}, {}", pass.name, l.share(pass.discarded, pass.theoretical)), 0});
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string feature_names(uint32_t mask) {
+  std::string text;
+  const auto add = [&](const std::string& word) { text += (text.empty() ? "" : " ") + word; };
+  for (const auto& [bit, name] : kFeatureNames)
+    if (mask & bit) add(name), mask &= ~bit;
+  if (mask) add(fmt::format("{:#x}", mask));
+  return text.empty() ? "nothing" : text;
+}
+
+std::vector<image::LegendRow> legend_of(const Result& result, const scene::Scene& scene,
+                                        const scene::Gathered& gathered, const Case& palette, uint32_t view) {
+  const Looking l = {result, scene, gathered, palette};
+  std::vector<Row> rows = view == kViewTriangle   ? triangle_rows(l)
+                          : view == kViewTile     ? tile_rows(l)
+                          : view == kViewWorkload ? workload_rows(l)
+                                                  : material_rows(l);
+  std::ranges::stable_sort(rows, std::greater(), &Row::count);
+  const size_t more = rows.size() > kMostRows ? rows.size() - kMostRows : 0;
+  rows.resize(rows.size() - more);
+  if (more) rows.push_back({0x404040, fmt::format("and {} more", more), 0});
+  std::vector<image::LegendRow> legend;
+  for (const Row& r : rows)
+    legend.push_back({static_cast<uint8_t>(r.colour), static_cast<uint8_t>(r.colour >> 8),
+                      static_cast<uint8_t>(r.colour >> 16), r.text});
+  return legend;
+}
+
+}  // namespace assay::frame

@@ -1,0 +1,100 @@
+#include "harness/frame/resources.h"
+
+#include <span>
+#include <stdexcept>
+
+namespace assay::frame {
+
+namespace {
+
+constexpr const char* kTextures = "scene.textures";
+
+std::map<std::string, std::span<const std::byte>> scene_buffers(const scene::Gathered& g) {
+  return {{"scene.positions", std::as_bytes(std::span(g.positions))},
+          {"scene.attributes", std::as_bytes(std::span(g.attributes))},
+          {"scene.indices", std::as_bytes(std::span(g.indices))},
+          {"scene.surfaces", std::as_bytes(std::span(g.surfaces))},
+          {"scene.draws", std::as_bytes(std::span(g.draws))},
+          {"scene.materials", std::as_bytes(std::span(g.materials))}};
+}
+
+struct Contents {
+  std::span<const std::byte> bytes = {};
+  std::span<const Texture> textures = {};
+  bool given = false;
+};
+
+Contents contents_of(const Graph& graph, const Resource& r, const scene::Gathered& gathered) {
+  if (r.producer != kNobody) return {};
+  if (r.owner == kNobody) {
+    if (r.name == kTextures) return {.textures = gathered.textures, .given = true};
+    return {.bytes = scene_buffers(gathered).at(r.name), .given = true};
+  }
+  const Case& input = graph.nodes[r.owner].input;
+  if (r.port->kind == PortKind::textures) return {.textures = input.textures.at(r.port->name), .given = true};
+  return {.bytes = input.inputs.at(r.port->name), .given = true};
+}
+
+device::Owned make(device::Device& d, const Graph& graph, const Resource& r, const Contents& contents) {
+  const Node* maker = r.producer != kNobody ? &graph.nodes[r.producer]
+                      : r.owner != kNobody  ? &graph.nodes[r.owner]
+                                            : nullptr;
+  switch (r.port->kind) {
+    case PortKind::buffer:
+      return device::make_buffer(d, r.name, contents.given ? contents.bytes.size() : r.bytes);
+    case PortKind::image: {
+      if (!maker) throw std::logic_error(r.name + ": the scene holds no images");
+      const Extent extent = r.port->extent ? r.port->extent(maker->input) : maker->input.extent;
+      return device::make_image(d, r.name, r.port->format, r.port->view, extent);
+    }
+    case PortKind::textures: {
+      const uint64_t slots = maker && r.port->count ? r.port->count(maker->input) : 16;
+      return device::make_textures(d, r.name, contents.textures, slots);
+    }
+  }
+  throw std::logic_error("a port of no kind");
+}
+
+}  // namespace
+
+std::map<std::string, uint64_t> scene_bytes(const scene::Gathered& g) {
+  std::map<std::string, uint64_t> bytes;
+  for (const auto& [name, data] : scene_buffers(g)) bytes[name] = data.size();
+  for (const Texture& t : g.textures) bytes[kTextures] += t.bytes.size();
+  bytes.try_emplace(kTextures, 0);
+  return bytes;
+}
+
+Allocated allocate(device::Device& d, const Graph& graph, const scene::Gathered& gathered) {
+  Allocated a;
+  for (size_t i = 0; i < graph.resources.size(); ++i) {
+    const Resource& r = graph.resources[i];
+    if (r.memory != i) {
+      a.resources.push_back(a.resources[r.memory]);
+      continue;
+    }
+    const Contents contents = contents_of(graph, r, gathered);
+    device::Owned made = make(d, graph, r, contents);
+    if (!contents.bytes.empty()) device::write(d, *made, contents.bytes);
+    a.resources.push_back(std::move(made));
+  }
+  for (const Node& node : graph.nodes) {
+    const Bytes& bytes = node.input.parameters;
+    if (bytes.size() != node.kernel->params.stride)
+      throw std::logic_error(node.kernel->name + ": the frame's case has parameters of another size");
+    device::Owned params =
+        bytes.empty() ? nullptr : device::make_buffer(d, node.kernel->name + ".params", bytes.size());
+    if (params) device::write(d, *params, bytes);
+    a.params.push_back(std::move(params));
+  }
+  return a;
+}
+
+device::Ports ports_of(const Graph& graph, size_t node, const Allocated& a) {
+  device::Ports ports;
+  for (const Bound& b : graph.nodes[node].ports) ports[b.port->name] = a.resources[b.resource];
+  if (a.params[node]) ports["params"] = a.params[node];
+  return ports;
+}
+
+}  // namespace assay::frame
