@@ -131,7 +131,9 @@ void append_primitive(MeshBuilder& b, const tinygltf::Primitive& p, const std::s
     return;
   }
   if (!p.targets.empty()) b.scene.notes.push_back(place + ": morph targets are left out");
-  const size_t count = b.model.accessors[static_cast<size_t>(source.position)].count;
+  const tinygltf::Accessor& positions = b.model.accessors[static_cast<size_t>(source.position)];
+  const size_t count = positions.count;
+  if (positions.type != TINYGLTF_TYPE_VEC3) refuse(place + ".POSITION", "does not have 3 components");
   std::vector<uint32_t> vertices;
   if (p.indices >= 0) {
     vertices = read_indices(b.model, p.indices, place + ".indices");

@@ -106,10 +106,9 @@ uint64_t number(const Json& object, const std::string& place, const char* name, 
     return *absent;
   }
   const Json& v = object[name];
-  const bool whole = v.is_number() && v.get<double>() >= 0 && v.get<double>() < 9e15 &&
-                     v.get<double>() == static_cast<double>(static_cast<uint64_t>(v.get<double>()));
-  if (!whole) refuse(place, fmt::format("{} is not a size", name));
-  return static_cast<uint64_t>(v.get<double>());
+  if (!v.is_number_integer() || v.get<double>() < 0 || v.get<double>() > 9e15)
+    refuse(place, fmt::format("{} is not a size: {}", name, v.dump()));
+  return v.get<uint64_t>();
 }
 
 void check_shapes(const Json& doc) {
@@ -133,6 +132,15 @@ void check_references(const Json& doc) {
       const uint64_t index = f.value->get<uint64_t>();
       if (index >= count) refuse(f.place, fmt::format("{} is out of range, there are {} {}", index, count, r.target));
     }
+  }
+}
+
+// `chunk`: bytes of a .glb's binary chunk, which is the buffer that has no address.
+void check_buffers(const Json& doc, size_t chunk) {
+  for (const Found& f : find(doc, "buffers/*")) {
+    const uint64_t bytes = number(*f.value, f.place, "byteLength", {});
+    if (!f.value->contains("uri") && bytes > chunk)
+      refuse(f.place, fmt::format("byteLength is {}, the file's binary chunk has {}", bytes, chunk));
   }
 }
 
@@ -186,15 +194,24 @@ uint32_t word(std::string_view bytes, size_t at) {
   return v;
 }
 
-// The JSON chunk of a .glb, after its lengths were checked against the file's.
-std::string_view json_chunk(std::string_view bytes) {
+struct Chunks {
+  std::string_view json;
+  size_t binary = 0;  // bytes
+};
+
+// The chunks of a .glb, after their lengths were checked against the file's.
+Chunks chunks_of(std::string_view bytes) {
   if (bytes.size() < 20) refuse("header", fmt::format("truncated, the file has {} bytes", bytes.size()));
   if (word(bytes, 4) != 2) refuse("header", fmt::format("glTF version {}, only 2 is read", word(bytes, 4)));
   if (word(bytes, 8) > bytes.size())
     refuse("header", fmt::format("truncated: {} bytes announced, the file has {}", word(bytes, 8), bytes.size()));
   if (word(bytes, 16) != 0x4e4f534a) refuse("byte 16", "the first chunk is not JSON");
-  if (word(bytes, 12) > bytes.size() - 20) refuse("byte 12", "the JSON chunk is longer than the file");
-  return bytes.substr(20, word(bytes, 12));
+  const size_t json = word(bytes, 12), next = 20 + json;
+  if (next > bytes.size()) refuse("byte 12", "the JSON chunk is longer than the file");
+  if (next + 8 > bytes.size()) return {bytes.substr(20, json)};
+  if (word(bytes, next) > bytes.size() - next - 8)
+    refuse(fmt::format("byte {}", next), "the binary chunk is longer than the file");
+  return {bytes.substr(20, json), word(bytes, next)};
 }
 
 std::string one_line(std::string text) {
@@ -224,11 +241,12 @@ void refuse(const std::string& place, const std::string& what) { throw std::runt
 tinygltf::Model read(const std::filesystem::path& file, std::vector<std::string>& notes) {
   const std::string bytes = read_file(file);
   const bool binary = bytes.compare(0, 4, "glTF") == 0;
-  const std::string_view text = binary ? json_chunk(bytes) : std::string_view(bytes);
-  const Json doc = parse(text);
+  const Chunks chunks = binary ? chunks_of(bytes) : Chunks{bytes};
+  const Json doc = parse(chunks.json);
   check_shapes(doc);
   check_extensions(doc, notes);
   check_references(doc);
+  check_buffers(doc, chunks.binary);
   check_views(doc);
 
   tinygltf::TinyGLTF library;
