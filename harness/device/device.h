@@ -99,8 +99,10 @@ Bytes read_guard(Device&, const Resource&);  // empty for images
 
 using Ports = std::map<std::string, Owned>;  // by port name; the parameter block is "params"
 
-// Resources for every port of the kernel that `have` lacks, inputs written, and the parameter block.
-Ports make_ports(Device&, const Kernel&, const Case&, Ports have = {});
+// Resources for every port of the kernel (of one variant, where given) that `have` lacks, inputs written, and the
+// parameter block. Textures that the case lacks are none. Throws std::logic_error naming kernel, case and port where an
+// input is missing, has another size, or belongs to no port.
+Ports make_ports(Device&, const Kernel&, const Case&, Ports have = {}, const Variant* variant = nullptr);
 
 // ---- Commands: recorded as data, so that a checker can read them before submission ---------------------------------------
 

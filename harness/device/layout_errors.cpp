@@ -42,7 +42,9 @@ const char* name_of(BindingKind k) {
 
 class Comparison {
  public:
-  Comparison(const Shader& s, std::vector<std::string>& errors) : shader_(s), errors_(errors) {}
+  // Of the ports, those that `variant` has; all where it is null.
+  Comparison(const Shader& s, const Variant* variant, std::vector<std::string>& errors)
+      : shader_(s), variant_(variant), errors_(errors) {}
 
   void binding(const Binding& b, std::span<const Port> ports, const Layout& params) {
     block_ = b.block.empty() ? b.name : b.block;
@@ -54,7 +56,8 @@ class Comparison {
       return layouts(b.element, params);
     }
     const auto it = std::ranges::find(ports, b.name, &Port::name);
-    if (it == ports.end()) return add(fmt::format("the kernel has no port '{}'", b.name));
+    if (it == ports.end() || (variant_ && !has_port(*variant_, *it)))
+      return add(fmt::format("there is no port '{}'", b.name));
     if (b.kind == BindingKind::storage_buffer && it->kind == PortKind::buffer) return buffer(b, *it);
     if ((b.kind == BindingKind::image || b.kind == BindingKind::storage_image) && it->kind == PortKind::image)
       return image(b, *it);
@@ -86,7 +89,8 @@ class Comparison {
   void use(const Binding& b, const Port& p) {
     if (p.use == assay::Use::reads && b.writes)
       add(fmt::format("port {} is read, the shader may write it (readonly is missing)", p.name));
-    if (p.use == assay::Use::writes && !b.writes)
+    // In a variant another pass may write what this one reads: unwritten_ports() looks at them together.
+    if (!variant_ && p.use == assay::Use::writes && !b.writes)
       add(fmt::format("port {} is written, the shader declares it readonly", p.name));
   }
 
@@ -134,6 +138,7 @@ class Comparison {
   static std::string label(const Layout& l) { return l.name.empty() ? "the port" : l.name; }
 
   const Shader& shader_;
+  const Variant* variant_;
   std::vector<std::string>& errors_;
   std::string block_;
 };
@@ -158,40 +163,62 @@ std::vector<std::string> files_of(const Variant& v) {
 
 namespace {
 
-// Ports that a pass names without a shader.
-void fixed_function_ports(const Variant& v, std::vector<std::string>& names) {
+// Ports that a pass names without a shader, and whether it writes them.
+void fixed_function_ports(const Variant& v, std::map<std::string, bool>& ports) {
   for (const Pass& pass : v.passes) {
-    if (const auto* dispatch = std::get_if<Dispatch>(&pass)) names.push_back(dispatch->indirect);
-    if (const auto* clear = std::get_if<Clear>(&pass)) names.push_back(clear->port);
+    if (const auto* dispatch = std::get_if<Dispatch>(&pass)) ports[dispatch->indirect];
+    if (const auto* clear = std::get_if<Clear>(&pass)) ports[clear->port] = true;
     const auto* draw = std::get_if<Draw>(&pass);
     if (!draw) continue;
-    for (const ColourTarget& t : draw->colours) names.push_back(t.port);
-    if (draw->depth) names.push_back(draw->depth->port);
-    names.push_back(draw->indices);
-    names.push_back(draw->commands);
-    for (const DrawCall& call : draw->calls) names.push_back(call.count_port);
+    for (const ColourTarget& t : draw->colours) ports[t.port] = true;
+    if (draw->depth) ports[draw->depth->port] |= draw->depth->write || draw->depth->clear;
+    ports[draw->indices];
+    ports[draw->commands];
+    for (const DrawCall& call : draw->calls) ports[call.count_port];
   }
+  ports.erase("");
 }
 
 void unknown_names(const Kernel& k, const Variant& v, std::vector<std::string>& errors) {
-  std::vector<std::string> names;
-  fixed_function_ports(v, names);
-  for (const std::string& name : names)
-    if (!name.empty() && !std::ranges::count(k.ports, name, &Port::name))
-      errors.push_back(fmt::format("{}: {}: a pass names port '{}', which the kernel has not", k.name, v.name, name));
+  std::map<std::string, bool> named;
+  fixed_function_ports(v, named);
+  for (const auto& [name, written] : named) {
+    const auto it = std::ranges::find(k.ports, name, &Port::name);
+    if (it == k.ports.end() || !has_port(v, *it))
+      errors.push_back(fmt::format("{}: {}: a pass names port '{}', which it has not", k.name, v.name, name));
+    else if (written && it->use == assay::Use::reads)
+      errors.push_back(fmt::format("{}: {}: port '{}' is read, and a pass writes it", k.name, v.name, name));
+  }
 }
 
-// A variant may leave out a port that others need; one that none of them touches is a leftover or a misspelling.
-void unused_ports(const Kernel& k, std::vector<std::string>& errors) {
-  std::vector<std::string> names;
-  for (const Variant& v : k.variants) {
-    fixed_function_ports(v, names);
-    for (const std::string& file : files_of(v))
-      for (const Binding& b : reflect(shader(k.name, file)).bindings) names.push_back(b.name);
+// Ports that the variant's passes touch, and whether any of them writes it.
+std::map<std::string, bool> touched_ports(const Kernel& k, const Variant& v) {
+  std::map<std::string, bool> touched;
+  fixed_function_ports(v, touched);
+  for (const std::string& file : files_of(v))
+    for (const Binding& b : reflect(shader(k.name, file)).bindings) touched[b.name] |= b.writes;
+  return touched;
+}
+
+// What a variant has must be in one of its passes: an output that none writes, or an input that none reads, is a
+// leftover or a misspelling (ports that only some variants have say so by `only_in`).
+void unused_ports(const Kernel& k, const Variant& v, std::vector<std::string>& errors) {
+  const auto touched = touched_ports(k, v);
+  for (const Port& p : k.ports) {
+    if (!has_port(v, p)) continue;
+    const auto it = touched.find(p.name);
+    if (it == touched.end())
+      errors.push_back(fmt::format("{}: {}: port '{}' is in none of its passes", k.name, v.name, p.name));
+    else if (p.use != assay::Use::reads && !it->second)
+      errors.push_back(
+          fmt::format("{}: {}: port '{}' is written, but every shader declares it readonly", k.name, v.name, p.name));
   }
-  for (const Port& p : k.ports)
-    if (!std::ranges::count(names, p.name))
-      errors.push_back(fmt::format("{}: port '{}' is in no pass of any variant", k.name, p.name));
+}
+
+void compare(const Shader& s, std::span<const Port> ports, const Layout& params, const Variant* v,
+             std::vector<std::string>& errors) {
+  Comparison comparison(s, v, errors);
+  for (const Binding& b : reflect(s).bindings) comparison.binding(b, ports, params);
 }
 
 void unknown_constants(const Kernel& k, const Variant& v, std::vector<std::string>& errors) {
@@ -208,20 +235,16 @@ void unknown_constants(const Kernel& k, const Variant& v, std::vector<std::strin
 
 std::vector<std::string> layout_errors(const Shader& s, std::span<const Port> ports, const Layout& params) {
   std::vector<std::string> errors;
-  Comparison comparison(s, errors);
-  for (const Binding& b : reflect(s).bindings) comparison.binding(b, ports, params);
+  compare(s, ports, params, nullptr, errors);
   return errors;
 }
 
 std::vector<std::string> layout_errors(const Kernel& k, const Variant& v) {
   std::vector<std::string> errors;
-  for (const std::string& file : files_of(v)) {
-    auto more = layout_errors(shader(k.name, file), k.ports, k.params);
-    errors.insert(errors.end(), more.begin(), more.end());
-  }
+  for (const std::string& file : files_of(v)) compare(shader(k.name, file), k.ports, k.params, &v, errors);
   unknown_names(k, v, errors);
   unknown_constants(k, v, errors);
-  unused_ports(k, errors);
+  unused_ports(k, v, errors);
   return errors;
 }
 

@@ -33,7 +33,7 @@ void require_matching_layouts(const Plan& plan) {
 void require_sizes(const Lowering& l) {
   for (const Port& p : l.plan.kernel->ports) {
     const auto it = l.ports.find(p.name);
-    if (it == l.ports.end() || p.kind != PortKind::buffer || !p.count) continue;
+    if (it == l.ports.end() || p.kind != PortKind::buffer || !p.count || !has_port(*l.plan.variant, p)) continue;
     const uint64_t needed = p.count(l.input) * p.layout.stride;
     if (it->second->payload < needed)
       throw std::logic_error(fmt::format("{}: port {} needs {} bytes, {} has {}", l.plan.kernel->name, p.name, needed,

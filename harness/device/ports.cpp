@@ -60,10 +60,10 @@ void write_input(Device& d, const Kernel& k, const Case& c, const Port& p, Resou
 
 }  // namespace
 
-Ports make_ports(Device& d, const Kernel& k, const Case& c, Ports have) {
+Ports make_ports(Device& d, const Kernel& k, const Case& c, Ports have, const Variant* variant) {
   refuse_strangers(k, c);
   for (const Port& p : k.ports) {
-    if (have.contains(p.name)) continue;
+    if (have.contains(p.name) || (variant && !has_port(*variant, p))) continue;
     Owned r = make_port(d, k, c, p);
     write_input(d, k, c, p, *r);
     have[p.name] = std::move(r);
