@@ -59,18 +59,11 @@ void must_have_view(const std::string& view) {
         fmt::format("no view '{}'{}; there are {}", view, did_you_mean(view, names), fmt::join(names, ", ")));
 }
 
-void print(const frame::Result& r, const fs::path& picture) {
+void print(const Flags& f, const frame::Result& r, const fs::path& picture) {
   for (const auto& note : r.notes) fmt::print("note: {}\n", note);
+  if (f.explain) fmt::print("{}\n", frame::to_text(r.explanation));
   fmt::print("{}\n{}\n", frame::to_text(r.statistics), frame::times_to_text(r));
   fmt::print("wrote {}\n", picture.string());
-}
-
-int explain_only(const Flags& f, const scene::Scene& s, const scene::Camera& camera) {
-  const auto d = open_device(f.common);
-  const auto e = frame::explain(device::info(*d), s, camera, f.options);
-  if (!json_on_stdout(f.common)) fmt::print("{}", frame::to_text(e));
-  write_json(f.common, report::Json(frame::to_json(e)));
-  return kSuccess;
 }
 
 int run(Flags& f) {
@@ -78,15 +71,12 @@ int run(Flags& f) {
   must_have_view(f.options.view);
   parse_variants(f);
   const fs::path picture = fs::path(f.out) / "frame.png", layers = fs::path(f.out) / "frame.exr";
-  if (!f.explain) {
-    probe_writable(picture.string());
-    if (f.exr) probe_writable(layers.string());
-  }
+  probe_writable(picture.string());
+  if (f.exr) probe_writable(layers.string());
   probe_writable(f.common.json);
   const scene::Scene s = scene::load(f.scene);
   scene::Camera camera = scene::default_camera(s);
   if (!f.camera.empty()) camera = look_at(camera, f.camera);
-  if (f.explain) return explain_only(f, s, camera);
 
   auto d = open_device(f.common);
   report::Progress progress;
@@ -95,7 +85,7 @@ int run(Flags& f) {
   progress.clear();
   frame::write_png(picture, result);
   if (f.exr) frame::write_exr(layers, result);
-  if (!json_on_stdout(f.common)) print(result, picture);
+  if (!json_on_stdout(f.common)) print(f, result, picture);
   report::Json json = frame::to_json(result);
   json["device"] = report::to_json(device::info(*d));
   json["commit"] = report::commit();
@@ -124,7 +114,7 @@ void add_frame(CLI::App& app, Action& action) {
   command->add_option("--variant", f->variants, "Another variant of a kernel than its default, repeatable")
       ->type_name("KERNEL=VARIANT")
       ->allow_extra_args(false);
-  command->add_flag("--explain", f->explain, "Only explain, run nothing");
+  command->add_flag("--explain", f->explain, "Also why each pass runs or is left out, and the bytes of each resource");
   command->add_option("--out", f->out, "Where frame.png goes")->capture_default_str()->type_name("DIR");
   command->add_flag("--exr", f->exr, "The visibility buffer and depth as frame.exr too");
   add_device_flags(command, f->common);
