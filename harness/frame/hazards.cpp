@@ -44,10 +44,10 @@ std::string names_of(uint32_t scopes) {
   constexpr std::pair<uint32_t, const char*> kNames[] = {
       {device::kCompute, "compute"},       {device::kIndirect, "indirect"}, {device::kGraphics, "graphics"},
       {device::kAttachment, "attachment"}, {device::kTransfer, "transfer"}, {device::kHost, "host"}};
-  std::string text;
+  std::vector<const char*> names;
   for (const auto& [scope, name] : kNames)
-    if (scopes & scope) text += (text.empty() ? "" : "+") + std::string(name);
-  return text;
+    if (scopes & scope) names.push_back(name);
+  return fmt::format("{}", fmt::join(names, "+"));
 }
 
 }  // namespace
