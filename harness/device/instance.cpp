@@ -53,8 +53,24 @@ bool has_extension(const char* name, const char* layer = nullptr) {
   return std::ranges::any_of(found, [&](const auto& e) { return std::string_view(e.extensionName) == name; });
 }
 
-VKAPI_ATTR VkBool32 VKAPI_CALL collect(VkDebugUtilsMessageSeverityFlagBitsEXT severity, VkDebugUtilsMessageTypeFlagsEXT,
+// The only messages that are left out, each with its reason.
+struct Ignored {
+  VkDebugUtilsMessageTypeFlagsEXT type;
+  std::string_view id;
+};
+constexpr Ignored kIgnored[] = {
+    // Every image stays in the general layout, so the advice to copy in another one is for somebody else. Under the
+    // type
+    // of a validation error the same name means a wrong layout, and is kept.
+    {VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT, "UNASSIGNED-CoreValidation-DrawState-InvalidImageLayout"},
+};
+
+VKAPI_ATTR VkBool32 VKAPI_CALL collect(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
+                                       VkDebugUtilsMessageTypeFlagsEXT type,
                                        const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
+  const std::string_view id = data->pMessageIdName ? data->pMessageIdName : "";
+  for (const Ignored& i : kIgnored)
+    if (type == i.type && id == i.id) return VK_FALSE;
   auto& messages = *static_cast<Messages*>(user);
   std::string line = severity >= VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT ? "error: " : "warning: ";
   for (const char* c = data->pMessage; *c; ++c) line += *c == '\n' ? ' ' : *c;
