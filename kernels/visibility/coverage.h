@@ -1,0 +1,74 @@
+// Which pixels a triangle covers, three-valued, by the top-left rule on the device's sub-pixel grid.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "kernels/visibility/clip.h"
+
+namespace assay::visibility {
+
+enum class Cover { out, maybe, in };
+
+// An edge of the visible polygon, directed as the rasteriser walks it with the interior on its positive side.
+struct Edge {
+  double ax = 0, ay = 0, bx = 0, by = 0;  // pixels
+  double a_moved = 0, b_moved = 0;        // how far either end may be from there, in either coordinate
+  uint32_t from = 0, to = 0;              // the triangle's vertices that it joins
+  bool inclusive = false;                 // a top or a left edge: owns the points on it
+};
+
+// A linear function of pixel coordinates, about the shape's origin.
+struct Plane {
+  double at_origin = 0, d_dx = 0, d_dy = 0;
+};
+
+// A triangle as the rasteriser sees it: what lies in front of the near plane, on the screen.
+struct Shape {
+  std::vector<Edge> edges;            // one set of 3 or 4 for each admissible orientation
+  uint32_t edges_a_side = 0;          // edges of a set
+  bool certain = true;                // false: nothing is sure to be covered (facing unknown, positions unknown)
+  bool whole = false;                 // no plane of the view cuts it
+  bool crosses_near = false;          // the depth test 1/w <= 1/near decides too
+  double near_slack = 0;              // of depth, there
+  uint32_t x_first = 0, y_first = 0, x_end = 0, y_end = 0;  // pixels outside are not covered
+  double origin_x = 0, origin_y = 0;  // of the planes
+  std::array<Plane, 3> weights = {};  // perspective weights times 1/w, one a vertex; their sum is 1/w
+  Plane inverse_w = {};
+  double moved = 0;            // the most that a corner may be moved, pixels
+  double height = 0;           // the least that the moved triangle has, pixels
+  double stretch = 1;          // how far moved corners may extrapolate: sum of the weights' magnitudes
+  double relative_error = 0;   // of 1/w at the corners
+  double conditioning = 0;     // rounding of plane evaluation is u * conditioning * (|d_dx| + |d_dy|), pixels
+  double reach = 0;            // largest coordinate that plane evaluation meets, pixels
+  bool planes_known = true;    // false: nothing is known of interpolated values
+};
+
+enum class Facing { cull_back, cull_front, both };
+
+// Empty edges: nothing to draw.
+Shape shape_of(const std::array<ClipVertex, 3>&, Facing, const Target&);
+constexpr uint32_t kNoEdge = 0xffffffffu;
+struct Coverage {
+  Cover cover = Cover::out;
+  uint32_t only_doubt = kNoEdge;  // the only edge that leaves it undecided, if one does
+};
+// Of the pixel's centre, by the edges.
+Coverage covers(const Shape&, double x, double y);
+// Of a shape that reaches behind the near plane: whether the pixel's centre lies before it.
+Cover before_near(const Shape&, double x, double y, double near_plane);
+
+// An interval of a linear function's fp32 evaluation at a pixel centre.
+struct Interval {
+  double low = 0, high = 0;
+};
+// near / w as rasterised, clamped to [0, 1].
+Interval depth_at(const Shape&, double x, double y, double near_plane);
+Plane depth_plane(const Shape&, double near_plane);
+double evaluate(const Shape&, const Plane&, double x, double y);
+// Sum of the weights' magnitudes at a point that the device may see up to `outside` pixels beside the triangle.
+double stretch_at(const Shape&, double outside);
+// What fp32 evaluation of a plane may be off, and that with what moved corners do to it.
+double rounding_of(const Shape&, const Plane&, double value);
+double plane_error(const Shape&, const Plane&, double value, double outside = 0);
+
+}  // namespace assay::visibility
