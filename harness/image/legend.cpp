@@ -15,7 +15,8 @@ struct Colour {
 };
 constexpr Colour kPaper = {20, 20, 24}, kInk = {238, 238, 238}, kEdge = {140, 140, 140};
 constexpr uint32_t kLine = 14, kSwatch = 9, kGap = 5;  // in font units: a line is 12 high, a digit 7
-constexpr uint32_t kWideImage = 1000;                  // from here a font unit is two pixels
+constexpr uint32_t kShortList = 6, kWidestCell = 260;
+constexpr uint32_t kWideImage = 1000;  // from here a font unit is two pixels
 
 uint32_t text_width(std::string text) { return static_cast<uint32_t>(stb_easy_font_width(text.data())); }
 
@@ -65,6 +66,7 @@ Rgba8 with_legend(const Rgba8& image, const std::string& title, std::span<const 
   const uint32_t before_text = kGap + kSwatch + kGap;
   uint32_t cell = before_text + kGap;
   for (const LegendRow& row : rows) cell = std::max(cell, before_text + text_width(printable(row.text)) + 3 * kGap);
+  if (rows.size() > kShortList) cell = std::min(cell, kWidestCell);  // one long name does not undo the columns
   const uint32_t columns = std::max(1u, width / cell);
   const auto count = static_cast<uint32_t>(rows.size());
   const uint32_t lines = count / columns + (count % columns != 0);
