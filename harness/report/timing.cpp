@@ -11,7 +11,7 @@ namespace {
 constexpr double kLeastSampleNs = 200e3;
 constexpr double kLeastTicks = 100;
 constexpr uint32_t kMostRepeats = 4096;
-constexpr uint64_t kMostSets = 64;
+constexpr uint64_t kMostSets = 160;
 constexpr uint64_t kMostMemory = uint64_t{1} << 30;
 // An H200's second level holds 60 MB; a round over twice that leaves nothing of the last one. A CPU's third level is
 // seldom over 32 MB for the threads of one process.

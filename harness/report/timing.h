@@ -28,7 +28,7 @@ struct Loop {
 };
 
 // Makes the resources, warms up, and finds how many executions last 200 us or 100 ticks, whichever is longer.
-// Only enough sets to exceed the cache, 64 at most, and within 1 GiB.
+// Only enough sets to exceed the cache, 160 at most, and within 1 GiB.
 Loop make_loop(device::Device&, const device::Plan&, const Case&);
 Sample sample(device::Device&, Loop&, Cache);
 std::vector<Sample> samples(device::Device&, Loop&, Cache, uint32_t count);
