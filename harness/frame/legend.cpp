@@ -6,7 +6,6 @@
 #include <bit>
 #include <cstring>
 #include <map>
-#include <set>
 
 #include "harness/formats/debug_view.h"
 #include "harness/formats/visibility.h"
@@ -60,7 +59,15 @@ struct Looking {
     return texel[0] | static_cast<uint32_t>(texel[1]) << 8 | static_cast<uint32_t>(texel[2]) << 16;
   }
   std::string share(uint64_t part, uint64_t of) const {
-    return fmt::format("{:.1f}%", of ? 100.0 * static_cast<double>(part) / static_cast<double>(of) : 0.0);
+    const double percent = of ? 100.0 * static_cast<double>(part) / static_cast<double>(of) : 0.0;
+    return part > 0 && percent < 0.05 ? "<0.1%" : fmt::format("{:.1f}%", percent);
+  }
+  // Its name; with its number where it has none or shares it.
+  std::string material_name(uint32_t material) const {
+    const std::string& name = scene.materials[material].name;
+    if (name.empty()) return fmt::format("material {}", material);
+    const bool shared = std::ranges::count(scene.materials, name, &scene::Material::name) > 1;
+    return shared ? fmt::format("{} #{}", name, material) : name;
   }
 };
 
@@ -78,16 +85,16 @@ void add_nothing_row(const Looking& l, const std::vector<uvec2>& visibility, std
 std::vector<Row> material_rows(const Looking& l) {
   const auto visibility = l.visibility();
   const auto colours = l.palette.input<uint32_t>("material_colours");
-  std::map<uint32_t, uint64_t> pixels_of;
+  std::vector<uint64_t> of_surface(l.gathered.surfaces.size());
   for (const uvec2 v : visibility)
-    if (v != uvec2(kVisibilityNone)) ++pixels_of[l.gathered.surfaces.at(v.y & kVisibilitySurfaceMask).material];
+    if (v != uvec2(kVisibilityNone)) ++of_surface.at(v.y & kVisibilitySurfaceMask);
+  std::map<uint32_t, uint64_t> pixels_of;
+  for (size_t i = 0; i < of_surface.size(); ++i)
+    if (of_surface[i]) pixels_of[l.gathered.surfaces[i].material] += of_surface[i];
   std::vector<Row> rows;
   for (const auto& [material, count] : pixels_of) {
-    const std::string& name = l.scene.materials[material].name;
     rows.push_back({colours[material],
-                    fmt::format("{}, {}", name.empty() ? fmt::format("material {}", material) : name,
-                                l.share(count, visibility.size())),
-                    count});
+                    fmt::format("{}, {}", l.material_name(material), l.share(count, visibility.size())), count});
   }
   add_nothing_row(l, visibility, rows);
   return rows;
@@ -95,21 +102,20 @@ std::vector<Row> material_rows(const Looking& l) {
 
 std::vector<Row> triangle_rows(const Looking& l) {
   const auto visibility = l.visibility();
-  std::set<std::pair<uint32_t, uint32_t>> triangles;
-  std::set<uint32_t> surfaces;
+  std::vector<uint64_t> seen;  // surface and triangle
   for (const uvec2 v : visibility)
-    if (v != uvec2(kVisibilityNone)) {
-      triangles.emplace(v.y & kVisibilitySurfaceMask, v.x);
-      surfaces.insert(v.y & kVisibilitySurfaceMask);
-    }
-  const uint64_t covered =
-      static_cast<uint64_t>(std::ranges::count_if(visibility, [](uvec2 v) { return v != uvec2(kVisibilityNone); }));
-  std::vector<Row> rows = {
-      {0x808080,
-       fmt::format("a colour a triangle: {} triangles of {} surfaces, {:.1f} pixels a triangle", triangles.size(),
-                   surfaces.size(),
-                   triangles.empty() ? 0.0 : static_cast<double>(covered) / static_cast<double>(triangles.size())),
-       ~uint64_t{0}}};
+    if (v != uvec2(kVisibilityNone)) seen.push_back(uint64_t{v.y & kVisibilitySurfaceMask} << 32 | v.x);
+  const auto covered = static_cast<double>(seen.size());
+  std::ranges::sort(seen);
+  const auto repeats = std::ranges::unique(seen);
+  seen.erase(repeats.begin(), repeats.end());
+  size_t surfaces = 0;
+  for (size_t i = 0; i < seen.size(); ++i) surfaces += i == 0 || seen[i] >> 32 != seen[i - 1] >> 32;
+  const double each = seen.empty() ? 0 : covered / static_cast<double>(seen.size());
+  std::vector<Row> rows = {{0x808080,
+                            fmt::format("a colour a triangle: {} triangles of {} surfaces, {:.1f} pixels a triangle",
+                                        seen.size(), surfaces, each),
+                            ~uint64_t{0}}};
   add_nothing_row(l, visibility, rows);
   return rows;
 }
@@ -137,7 +143,7 @@ std::vector<Row> tile_rows(const Looking& l) {
   for (const auto& [mask, tiles] : tiles_of_mask)
     if (mask)
       rows.push_back({tiles.second,
-                      fmt::format("square: {}, {}", feature_names(mask), l.share(tiles.first, masks.size())),
+                      fmt::format("square, {}: {}", l.share(tiles.first, masks.size()), feature_names(mask)),
                       tiles.first});
   return rows;
 }

@@ -42,7 +42,7 @@ std::string to_text(const std::vector<PassShare>& passes) {
   std::string text;
   for (size_t i = 0; i < passes.size(); ++i) {
     const PassShare& p = passes[i];
-    text += fmt::format("{}. {} update group stats\n", i + 1, p.name);
+    text += fmt::format("{}. {} group stats\n", i + 1, p.name);
     text += fmt::format("{}a. theoretical fullscreen threadgroups: {} (100%)\n", i + 1, p.theoretical);
     text += fmt::format("{}b. actual dispatched threadgroups: {} ({:.0f}%)\n", i + 1, p.dispatched,
                         percent(p.dispatched, p.theoretical));

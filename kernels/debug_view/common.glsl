@@ -26,6 +26,12 @@ uint blended(uint a, uint b, uint part) {
   return 0xff000000u | middle << 8 | low;
 }
 
+// The same brightness without hue, for views whose own colours mean something. Weights of Rec. 601 in 256ths.
+uint greyed(uint colour) {
+  const uint grey = (77u * (colour & 0xffu) + 150u * (colour >> 8 & 0xffu) + 29u * (colour >> 16 & 0xffu)) >> 8;
+  return 0xff000000u | grey * 0x010101u;
+}
+
 uvec2 visible_at(uvec2 pixel) { return texelFetch(visibility, ivec2(pixel), 0).xy; }
 
 bool is_nothing(uvec2 visible) { return visible == uvec2(kVisibilityNone); }

@@ -37,6 +37,11 @@ Colour random_colour(uint32_t key) {
   return c;
 }
 
+Colour grey_of(const Colour& c) {
+  const uint32_t brightness = (c[0] * 77 + c[1] * 150 + c[2] * 29) / 256;
+  return {brightness, brightness, brightness};
+}
+
 struct View {
   const Case& c;
   ViewParams params = c.params<ViewParams>();
@@ -57,6 +62,8 @@ struct View {
     return unpacked(material_colours[material_index]);
   }
 
+  Colour grey(uvec2 v) const { return grey_of(material(v)); }
+
   Colour triangle(uvec2 v) const {
     if (nothing(v)) return unpacked(kBackgroundColour);
     return random_colour(v.x ^ murmur_last_step(v.y % (1u << 30) + 1));
@@ -65,17 +72,17 @@ struct View {
   Colour tile(uint32_t x, uint32_t y, uvec2 v) const {
     const uint32_t mask = masks[y / kTileSide * across + x / kTileSide];
     const uint32_t in_x = x % kTileSide, in_y = y % kTileSide;
-    if (in_x == 0 || in_y == 0) return over(material(v), {0, 0, 0}, 1);
-    if (mask == 0) return over(material(v), unpacked(kBackgroundColour), 1);
+    if (in_x == 0 || in_y == 0) return over(grey(v), {0, 0, 0}, 1);
+    if (mask == 0) return over(grey(v), unpacked(kBackgroundColour), 1);
     if (std::min(in_x, in_y) >= kChipFirst && std::max(in_x, in_y) < kChipEnd) return random_colour(mask);
-    return over(material(v), unpacked(heat_colours[static_cast<size_t>(std::popcount(mask))]), 1);
+    return over(grey(v), unpacked(heat_colours[static_cast<size_t>(std::popcount(mask))]), 1);
   }
 
   Colour at(uint32_t x, uint32_t y) const {
     const uvec2 v = visibility[size_t{y} * params.width + x];
     if (params.view == kViewTriangle) return triangle(v);
     if (params.view == kViewTile) return tile(x, y, v);
-    if (params.view == kViewWorkload) return over(material(v), unpacked(kBackgroundColour), 1);
+    if (params.view == kViewWorkload) return over(grey(v), unpacked(kBackgroundColour), 1);
     return material(v);
   }
 };
@@ -100,7 +107,7 @@ void paint_workload(const View& view, size_t row, std::vector<uint32_t>& image) 
     for (uint32_t y = y0; y < std::min(y0 + kTileSide, view.params.height); ++y)
       for (uint32_t x = x0; x < std::min(x0 + kTileSide, view.params.width); ++x) {
         const size_t i = size_t{y} * view.params.width + x;
-        image[i] = packed(over(unpacked(colour), view.material(view.visibility[i]), 2));
+        image[i] = packed(over(unpacked(colour), view.grey(view.visibility[i]), 2));
       }
   }
 }

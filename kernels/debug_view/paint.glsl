@@ -6,7 +6,7 @@ READS(5, uint, heat_colours);
 
 // The scene shows through the heat of the tile's features; a square in the tile's corner tells sets of equal size apart.
 uint tile_colour(uvec2 pixel, uvec2 visible) {
-  const uint scene = material_colour(visible);
+  const uint scene = greyed(material_colour(visible));
 #ifdef MUTANT_3
   const uint mask = masks[pixel.y / kTileSide * (params.width / kTileSide) + pixel.x / kTileSide];
 #else
@@ -36,7 +36,7 @@ uint colour_of(uvec2 pixel, uvec2 visible) {
   switch (params.view) {
     case kViewTriangle: return triangle_colour(visible);
     case kViewTile: return tile_colour(pixel, visible);
-    case kViewWorkload: return blended(material_colour(visible), kBackgroundColour, 1u);
+    case kViewWorkload: return blended(greyed(material_colour(visible)), kBackgroundColour, 1u);
     default: return material_colour(visible);
   }
 }

@@ -38,7 +38,7 @@ void main() {
 #else
     if (!on_screen(pixel, extent)) continue;
 #endif
-    const uint scene = material_colour(visible_at(pixel));
+    const uint scene = greyed(material_colour(visible_at(pixel)));
 #ifdef MUTANT_14
     image[pixel.y * params.width + pixel.x] = blended(workload_colours[0], scene, 2u);
 #else

@@ -1,0 +1,108 @@
+// The visibility buffer of whole scenes against a ray caster that shares nothing with it but the scene.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "harness/formats/visibility.h"
+#include "harness/frame/frame.h"
+#include "harness/oracle.h"
+#include "tests/raycaster.h"
+#include "tests/run.h"
+
+namespace assay::tests {
+namespace {
+
+constexpr Extent kSize = {1280, 720};
+constexpr uint32_t kPixels = 1000;
+
+// Half a step of the rasteriser's 1/256 px grid moves an edge by 0.0028 px at most, and a float clip position of 1280
+// pixels is good to 640 * 2^-24 * 8 roundings = 0.0003 px; where a triangle's w spans much more, a little of that is
+// magnified. 1/128 px is twice the sum.
+constexpr double kEdgePx = 1.0 / 128;
+// Depths are floats, near / w of three vertices blended: surfaces that close are a tie.
+constexpr double kTie = 1e-5;
+
+std::filesystem::path data_folder() {
+  const char* data = std::getenv("ASSAY_DATA");
+  return data ? data : "../shared/data";  // tests run in the source folder
+}
+
+struct Tally {
+  uint32_t judged = 0, background = 0, edges = 0, ties = 0, alpha = 0;
+};
+
+// Why the pixel is not judged; null if it is.
+uint32_t* doubt(const std::optional<Hit>& hit, Tally& t) {
+  if (!hit) return nullptr;
+  if (hit->edge_px < kEdgePx) return &t.edges;
+  if (hit->alpha_close) return &t.alpha;
+  if (hit->instance != scene::kNone && hit->second - hit->distance < kTie * hit->distance) return &t.ties;
+  return nullptr;
+}
+
+void compare(const scene::Scene& s, const scene::Camera& camera, Tally& t) {
+  const auto gathered = scene::gather(s, camera, kSize);
+  const auto r =
+      frame::render(*device(), s, camera, {.size = kSize, .goals = {"visibility.visibility"}, .warm_up = false});
+  std::vector<uvec2> visibility(pixel_count(kSize));
+  std::memcpy(visibility.data(), r.downloads.at("visibility.visibility").data(), visibility.size() * sizeof(uvec2));
+  Pcg32 rng(20260101);
+  for (uint32_t i = 0; i < kPixels; ++i) {
+    const uint32_t x = rng.below(kSize.width), y = rng.below(kSize.height);
+    const auto hit = cast(s, camera, kSize, x + 0.5, y + 0.5);
+    if (uint32_t* reason = doubt(hit, t)) {
+      ++*reason;
+      continue;
+    }
+    ++t.judged;
+    const uvec2 got = visibility[size_t{y} * kSize.width + x];
+    if (!hit || hit->instance == scene::kNone) {
+      ++t.background;
+      EXPECT_EQ(got, uvec2(kVisibilityNone))
+          << "pixel " << x << "," << y << " shows a surface where the ray meets none";
+      continue;
+    }
+    const uint32_t surface = got.y & kVisibilitySurfaceMask;
+    ASSERT_LT(surface, gathered.surfaces.size()) << "pixel " << x << "," << y;
+    EXPECT_EQ(gathered.surface_instance[surface], hit->instance)
+        << "pixel " << x << "," << y << ", " << hit->distance << " m away";
+    EXPECT_EQ(gathered.surface_part[surface], hit->part) << "pixel " << x << "," << y;
+    EXPECT_EQ(got.x, hit->triangle) << "pixel " << x << "," << y << ", edge " << hit->edge_px << " px away";
+  }
+}
+
+class Raycast : public testing::TestWithParam<const char*> {};
+
+TEST_P(Raycast, TrianglesAndInstancesAgree) {
+  std::string name = GetParam();
+  if (name.ends_with(".glb")) {
+    name = (data_folder() / "scenes" / name).string();
+    if (!std::filesystem::exists(name))
+      GTEST_SKIP() << "no " << name << "; set ASSAY_DATA to the folder that holds scenes/";
+  }
+  const scene::Scene s = scene::load(name);
+  Tally t;
+  compare(s, scene::default_camera(s), t);
+  RecordProperty("judged", static_cast<int>(t.judged));
+  printf("%u judged (%u background), not judged: %u at an edge, %u at an alpha cut, %u ties\n", t.judged, t.background,
+         t.edges, t.alpha, t.ties);
+  EXPECT_GE(t.judged - t.background, kPixels / 50) << "the view shows too little to be a test";
+  // Triangles of about a pixel have an edge within 1/128 px of one pixel in twenty; foliage is mostly alpha cuts.
+  EXPECT_LE(t.edges, kPixels / 10);
+  EXPECT_LE(t.ties, kPixels / 50);
+  EXPECT_LE(t.alpha, kPixels / 2);
+}
+
+std::string as_name(const testing::TestParamInfo<const char*>& info) {
+  std::string name = info.param;
+  return name.substr(0, name.find('.'));
+}
+INSTANTIATE_TEST_SUITE_P(Scenes, Raycast,
+                         testing::Values("bare", "small", "sponza.glb", "flight_helmet.glb", "skull.glb",
+                                         "two_cylinder_engine.glb", "eztree_grove.glb"),
+                         as_name);
+
+}  // namespace
+}  // namespace assay::tests
