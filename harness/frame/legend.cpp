@@ -107,8 +107,7 @@ std::vector<Row> triangle_rows(const Looking& l) {
     if (v != uvec2(kVisibilityNone)) seen.push_back(uint64_t{v.y & kVisibilitySurfaceMask} << 32 | v.x);
   const auto covered = static_cast<double>(seen.size());
   std::ranges::sort(seen);
-  const auto repeats = std::ranges::unique(seen);
-  seen.erase(repeats.begin(), repeats.end());
+  seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
   size_t surfaces = 0;
   for (size_t i = 0; i < seen.size(); ++i) surfaces += i == 0 || seen[i] >> 32 != seen[i - 1] >> 32;
   const double each = seen.empty() ? 0 : covered / static_cast<double>(seen.size());
