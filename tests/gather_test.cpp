@@ -167,7 +167,7 @@ TEST(Gather, OneArrayASizeAndNamesThatFindTheLayer) {
 
 TEST(Gather, MipsAverageInLinearLight) {
   scene::Image checks = flat(2, 2, 255);
-  for (const size_t texel : {0, 3})
+  for (const size_t texel : {size_t{0}, size_t{3}})
     for (size_t c = 0; c < 3; ++c) checks.rgba[texel * 4 + c] = 0;
   checks.rgba[3] = 0;  // alpha is no light: (0 + 3 * 255) / 4 = 191.25
   const Scene s = textured({checks});
@@ -178,7 +178,7 @@ TEST(Gather, MipsAverageInLinearLight) {
 
 TEST(Gather, MipsOfOddSizesWeighEveryTexel) {
   scene::Image stripe = flat(3, 1, 0);
-  for (const size_t texel : {0, 2}) stripe.rgba[texel * 4 + 3] = 240;
+  for (const size_t texel : {size_t{0}, size_t{2}}) stripe.rgba[texel * 4 + 3] = 240;
   const Scene s = textured({stripe});
   const Gathered g = gather(s, default_camera(s), kExtent);
   EXPECT_EQ(g.textures[0].levels, 2u);
