@@ -100,23 +100,34 @@ void collect_messages(KernelRun& run, VariantState& state, const device::Plan& p
   report(run, state, plan, c, fault, replay);
 }
 
+void run_variant(KernelRun& run, VariantState& state, const Prepared& prepared, device::Ports& ports,
+                 const std::string& replay, Kind kind) {
+  std::vector<std::map<std::string, uint32_t>> combinations = state.combinations;
+  if (kind == Kind::trial) combinations = {combinations[prepared.input.seed % combinations.size()]};
+  for (const auto& constants : combinations) {
+    const device::Plan plan{.kernel = &run.kernel, .variant = state.variant, .constants = constants};
+    const Outcome outcome = attempt(run.session, plan, prepared, ports, kind == Kind::hard);
+    tally(run, state, outcome, kind);
+    const Fault& fault = fault_of(outcome, *state.variant);
+    if (!fault.text.empty()) report(run, state, plan, prepared.input, fault, replay);
+    collect_messages(run, state, plan, prepared.input, replay);
+  }
+  ++(kind == Kind::trial ? state.result.trials : state.result.cases);
+}
+
 }  // namespace
 
 void run_everywhere(KernelRun& run, const Prepared& prepared, const std::string& replay, Kind kind) {
   device::Ports ports;
   for (VariantState& state : run.variants) {
     if (!state.is_live()) continue;
-    std::vector<std::map<std::string, uint32_t>> combinations = state.combinations;
-    if (kind == Kind::trial) combinations = {combinations[prepared.input.seed % combinations.size()]};
-    for (const auto& constants : combinations) {
-      const device::Plan plan{.kernel = &run.kernel, .variant = state.variant, .constants = constants};
-      const Outcome outcome = attempt(run.session, plan, prepared, ports, kind == Kind::hard);
-      tally(run, state, outcome, kind);
-      const Fault& fault = fault_of(outcome, *state.variant);
-      if (!fault.text.empty()) report(run, state, plan, prepared.input, fault, replay);
-      collect_messages(run, state, plan, prepared.input, replay);
+    try {
+      run_variant(run, state, prepared, ports, replay, kind);
+    } catch (const std::logic_error& e) {  // shader, description and oracle at odds: running more cases tells no more
+      state.is_broken = true;
+      run.result.complaints.push_back(
+          fmt::format("{} {}, case {}: {}", run.kernel.name, state.variant->name, prepared.input.name, e.what()));
     }
-    ++(kind == Kind::trial ? state.result.trials : state.result.cases);
   }
 }
 

@@ -15,7 +15,8 @@ struct VariantState {
   const Variant* variant;
   std::vector<std::map<std::string, uint32_t>> combinations;
   VariantResult result;
-  bool is_live() const { return result.skipped.empty() && result.violations < kFailuresStop; }
+  bool is_broken = false;  // cannot be run at all: a complaint says why
+  bool is_live() const { return result.skipped.empty() && !is_broken && result.violations < kFailuresStop; }
 };
 
 struct KernelRun {

@@ -56,13 +56,6 @@ bool is_poisoned(const Port& port, const Variant& variant) {
   return port.kind == PortKind::buffer || (port.format != Format::d32_float && !is_cleared_target(variant, port.name));
 }
 
-bool may_write(const std::vector<device::Command>& commands, const std::string& port) {
-  for (const device::Command& command : commands)
-    for (const device::Use& use : command.uses)
-      if (use.writes && use.port == port) return true;
-  return false;
-}
-
 // One run's surroundings, so that it can be repeated with another poison.
 struct Run {
   device::Device& device;
@@ -91,7 +84,7 @@ Fault memory_fault(const Run& run, uint32_t poison, bool inputs) {
     if (port.kind == PortKind::textures || !has_port(*run.plan.variant, port)) continue;
     const device::Resource& resource = resource_of(run, port.name);
     if (port.use == Use::reads) {
-      if (!inputs && !may_write(run.commands, port.name)) continue;
+      if (!inputs) continue;
       const auto given = run.prepared.input.inputs.find(port.name);
       if (given != run.prepared.input.inputs.end() && device::read(run.device, resource) != given->second)
         return {"input written", fmt::format("input {} was written", port.name)};
@@ -209,7 +202,7 @@ Outcome failed(const std::string& kind, const std::string& text) { return {.memo
 Outcome run_once(Session& session, const device::Plan& plan, const Prepared& prepared, device::Ports& ports,
                  bool inputs) {
   try {
-    if (ports.empty()) ports = device::make_ports(*session.device, *plan.kernel, prepared.input);
+    ports = device::make_ports(*session.device, *plan.kernel, prepared.input, std::move(ports), plan.variant);
     return run_case(*session.device, plan, prepared, ports, inputs);
   } catch (const device::Lost&) {
     throw;

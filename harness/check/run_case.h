@@ -34,7 +34,8 @@ struct Outcome {
 // The fault that counts for the variant, if any.
 const Fault& fault_of(const Outcome&, const Variant&);
 
-// `inputs`: compare every input afterwards; otherwise only those that a pass could have written, by its SPIR-V.
+// `inputs`: compare every input afterwards. Reflection has refused shaders that could write one, so what is left is a
+// driver's fault: hard cases look for it, random trials save the time.
 Outcome run_case(device::Device&, const device::Plan&, const Prepared&, const device::Ports&, bool inputs);
 
 // A device that is replaced when it is lost.
@@ -42,8 +43,9 @@ struct Session {
   device::Handle& device;
   const device::Options& options;
 };
-// run_case with one retry on a fresh device after a loss; whatever the device throws becomes a fault. `ports` is filled
-// when empty, and again on a fresh device.
+// run_case with one retry on a fresh device after a loss; whatever the device throws becomes a fault. `ports` is given
+// what the variant still lacks, and everything again on a fresh device. A description, shader or oracle at odds with
+// the others throws std::logic_error.
 Outcome attempt(Session&, const device::Plan&, const Prepared&, device::Ports& ports, bool inputs);
 
 }  // namespace assay::check
