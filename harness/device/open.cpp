@@ -164,8 +164,18 @@ void Device::create() {
   load_pipeline_cache(*this);
 }
 
+// Destroying what a queue still uses is undefined, and waiting for it may take forever: device and instance are left as
+// they are, still pointed at so that no leak checker mistakes them for forgotten.
+static void abandon(std::unique_ptr<Instance> instance) {
+  static std::vector<std::unique_ptr<Instance>>& abandoned = *new std::vector<std::unique_ptr<Instance>>;
+  abandoned.push_back(std::move(instance));
+}
+
 Device::~Device() {
-  if (hung) return;  // destroying what a queue still uses is undefined, and waiting for it may take forever
+  if (hung) {
+    abandon(std::move(instance));
+    return;
+  }
   vkDeviceWaitIdle(handle);
   save_pipeline_cache(*this);
   for (auto& [key, pipeline] : pipelines) destroy_pipeline(*this, pipeline);

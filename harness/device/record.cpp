@@ -203,9 +203,14 @@ void submit_and_wait(Device& d, Queue& q) {
                                               .commandBuffer = q.commands};
   const VkSubmitInfo2 submit = {
       .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2, .commandBufferInfoCount = 1, .pCommandBufferInfos = &commands};
-  d.lost = true;  // until all of this has gone well; what was submitted may otherwise still run
-  ASSAY_VK(vkQueueSubmit2(q.handle, 1, &submit, q.fence));
-  wait(d, q);
+  d.lost = true;  // until all of this has gone well
+  try {
+    ASSAY_VK(vkQueueSubmit2(q.handle, 1, &submit, q.fence));
+    wait(d, q);
+  } catch (...) {
+    if (!d.hung) vkDeviceWaitIdle(d.handle);  // what was submitted may still use what the caller is about to free
+    throw;
+  }
   d.lost = false;
   d.new_images.clear();
 }
