@@ -9,6 +9,10 @@ namespace {
 
 constexpr double u = kUnitRoundoff;
 constexpr uint32_t kSlots = 16;
+// What filtering may add to a unorm texel's interpolation. Vulkan bounds the weights' steps (subTexelPrecisionBits), not the
+// arithmetic. sRGB texels are decoded first and need a wide format: fp32 is assumed, two interpolations of three operations
+// and the conversion. Linear ones may be filtered in their own 8 bits, truncated once an axis.
+constexpr double kWideFilter = 16 * u, kNarrowFilter = 2.0 / 255;
 constexpr uint32_t kWidestSearch = 8;  // texels a side; beyond, the whole layer's range is taken
 
 struct Layer {
@@ -79,9 +83,11 @@ Attribute attribute_at(const Shape& s, const std::array<double, 3>& values, doub
     carried += std::fabs(evaluate(s, s.weights[k], x, y) / inverse_w * (values[k] - value)) * s.relative_error;
     largest = std::max(largest, std::fabs(values[k]));
   }
-  const double error = (stretch * gradient * s.moved + rounding) / inverse_w + stretch * carried + 10 * u * stretch * largest;
+  const double moved = moved_at(s, inverse_w * s.near_plane);
+  const double error = (stretch * gradient * moved + rounding) / inverse_w + stretch * carried + 10 * u * stretch * largest;
   // 1/w itself is uncertain; where its own error nears it, nothing is known.
-  const double doubt = plane_error(s, s.inverse_w, inverse_w, outside) / inverse_w;
+  const double slope = std::fabs(s.inverse_w.d_dx) + std::fabs(s.inverse_w.d_dy);
+  const double doubt = (stretch * slope * moved + rounding_of(s, s.inverse_w, inverse_w)) / inverse_w + stretch * s.relative_error;
   return doubt < 0.5 ? Attribute{value, error / (1 - doubt)} : Attribute{0, kUnknown};
 }
 
@@ -104,8 +110,8 @@ Interval sampled_alpha(const MaterialRecord& m, std::span<const Texture> texture
         range = {std::min(range.low, a), std::max(range.high, a)};
       }
   }
-  // Unorm to float, two interpolations each of three operations, in fp32.
-  return {range.low - 16 * u, range.high + 16 * u};
+  const double filter = t.format == Format::rgba8_srgb ? kWideFilter : kNarrowFilter;
+  return {range.low - filter, range.high + filter};
 }
 
 Cover kept(const MaterialRecord& m, Interval sampled) {

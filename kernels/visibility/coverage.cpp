@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace assay::visibility {
 
@@ -14,22 +15,24 @@ struct Polygon {
   std::array<Corner, 4> corners = {};
   // The triangle's edge from a corner to the next: its two vertices; from == to on the near cut.
   std::array<std::pair<uint32_t, uint32_t>, 4> edges = {};
+  std::array<bool, 4> on_near = {};
   uint32_t count = 0;
 };
 
 // The triangle in front of the near plane (Sutherland, Hodgman 1974, one plane).
 Polygon clip_near(const std::array<ClipVertex, 3>& v, const Target& t) {
   Polygon p;
-  const auto add = [&p](const Corner& c, uint32_t from, uint32_t to) {
+  const auto add = [&p](const Corner& c, uint32_t from, uint32_t to, bool on_near) {
     p.corners[p.count] = c;
+    p.on_near[p.count] = on_near;
     p.edges[p.count++] = {from, to};
   };
   for (uint32_t i = 0; i < 3; ++i) {
     const uint32_t j = (i + 1) % 3;
     const bool inside = v[i].w >= t.near_plane, next_inside = v[j].w >= t.near_plane;
-    if (inside) add(corner_of(v[i], t), i, j);
-    if (inside && !next_inside) add(near_corner(v[i], v[j], t), i, i);
-    if (!inside && next_inside) add(near_corner(v[j], v[i], t), i, j);
+    if (inside) add(corner_of(v[i], t), i, j, false);
+    if (inside && !next_inside) add(near_corner(v[i], v[j], t), i, i, true);
+    if (!inside && next_inside) add(near_corner(v[j], v[i], t), i, j, true);
   }
   return p;
 }
@@ -83,9 +86,9 @@ std::vector<Point> clip_box(std::vector<Point> p, double x_low, double y_low, do
   return p;
 }
 
-// L * L^2 / A of a polygon of length L and area A, times 16: rounding of a plane through its corners (README, "Depth").
-double conditioning_of(const std::vector<Point>& p) {
-  if (p.size() < 3) return 0;
+// Adds what a plane through this polygon's corners may be off, in units of u: README, "Interpolation".
+void widen_rounding(Shape& s, const std::vector<Point>& p) {
+  if (p.size() < 3) return;
   double x_low = p[0].x, x_high = p[0].x, y_low = p[0].y, y_high = p[0].y, area2 = 0;
   for (size_t i = 0; i < p.size(); ++i) {
     const Point &a = p[i], &b = p[(i + 1) % p.size()];
@@ -93,8 +96,10 @@ double conditioning_of(const std::vector<Point>& p) {
     y_low = std::min(y_low, a.y), y_high = std::max(y_high, a.y);
     area2 += (a.x - p[0].x) * (b.y - p[0].y) - (a.y - p[0].y) * (b.x - p[0].x);
   }
-  const double length = std::max(x_high - x_low, y_high - y_low);
-  return 16 * length * length * length / (0.5 * std::fabs(area2));
+  const double width = x_high - x_low, height = y_high - y_low, fullness = width * height / (0.5 * std::fabs(area2));
+  s.rounding.x = std::max(s.rounding.x, 12 * fullness * width + 4 * std::max(std::fabs(x_low), std::fabs(x_high)));
+  s.rounding.y = std::max(s.rounding.y, 12 * fullness * height + 4 * std::max(std::fabs(y_low), std::fabs(y_high)));
+  if (!(fullness < 0x1p16)) s.planes_known = false;  // an area that is all cancellation
 }
 
 // Twice the area, and a bound of what moved corners do to it.
@@ -152,6 +157,8 @@ void set_planes(Shape& s, const std::array<ClipVertex, 3>& v, const Target& t) {
     w.at_origin /= determinant, w.d_dx /= determinant, w.d_dy /= determinant;
     s.inverse_w.at_origin += w.at_origin, s.inverse_w.d_dx += w.d_dx, s.inverse_w.d_dy += w.d_dy;
   }
+  // Parallel to the screen: exactly so, since differences of equal numbers are zero in any arithmetic.
+  if (v[0].w == v[1].w && v[1].w == v[2].w) s.inverse_w = {1 / v[0].w, 0, 0};
 }
 
 void set_errors(Shape& s, const Polygon& p, const Target& t, double twice_area) {
@@ -161,17 +168,16 @@ void set_errors(Shape& s, const Polygon& p, const Target& t, double twice_area) 
     const Corner &a = p.corners[i], &b = p.corners[(i + 1) % p.count];
     outline.push_back({a.x, a.y});
     longest = std::max(longest, std::hypot(b.x - a.x, b.y - a.y));
-    s.moved = std::max(s.moved, a.moved);
+    double& moved = p.on_near[i] ? s.near_moved : s.moved;
+    moved = std::max(moved, a.moved);
     s.relative_error = std::max(s.relative_error, a.relative_error);
-    s.reach = std::max({s.reach, std::fabs(a.x), std::fabs(a.y)});
   }
-  s.reach = std::min(std::max({s.reach, t.width, t.height}), kGuard);
   s.height = std::fabs(twice_area) / longest - 2 * s.moved;
   if (!(s.height > 2 * s.moved)) s.planes_known = false;
   s.stretch = stretch_at(s, 0);
-  s.conditioning = std::max(conditioning_of(clip_box(outline, -kGuard, -kGuard, kGuard, kGuard)),
-                            conditioning_of(clip_box(outline, 0, 0, t.width, t.height)));
-  if (!(s.conditioning < 0x1p22)) s.planes_known = false;
+  s.rounding = {4 * t.width, 4 * t.height};
+  widen_rounding(s, clip_box(outline, -kGuard, -kGuard, kGuard, kGuard));
+  widen_rounding(s, clip_box(outline, 0, 0, t.width, t.height));
 }
 
 void set_bounds(Shape& s, const Polygon& p, const Target& t) {
@@ -203,6 +209,7 @@ Edge edge_of(const Polygon& p, uint32_t i, const Ends& ends, bool clockwise) {
 
 Shape shape_of(const std::array<ClipVertex, 3>& v, Facing facing, const Target& t) {
   Shape s;
+  s.near_plane = t.near_plane;
   const Polygon p = clip_near(v, t);
   if (p.count == 0) return s;
   double w_error = 0, w_sum = 0;
@@ -274,17 +281,8 @@ Coverage covers(const Shape& s, double x, double y) {
   return best;
 }
 
-Plane depth_plane(const Shape& s, double near_plane) {
-  return {s.inverse_w.at_origin * near_plane, s.inverse_w.d_dx * near_plane, s.inverse_w.d_dy * near_plane};
-}
-
-Cover before_near(const Shape& s, double x, double y, double near_plane) {
-  if (!s.crosses_near) return Cover::in;
-  if (!s.planes_known) return Cover::maybe;
-  const Plane p = depth_plane(s, near_plane);
-  const double depth = evaluate(s, p, x, y);
-  const double error = plane_error(s, p, depth) + s.stretch * std::fabs(depth) * s.relative_error + s.near_slack;
-  return depth < 1 - error ? Cover::in : depth > 1 + error ? Cover::out : Cover::maybe;
+Plane depth_plane(const Shape& s) {
+  return {s.inverse_w.at_origin * s.near_plane, s.inverse_w.d_dx * s.near_plane, s.inverse_w.d_dy * s.near_plane};
 }
 
 double evaluate(const Shape& s, const Plane& p, double x, double y) {
@@ -298,21 +296,36 @@ double stretch_at(const Shape& s, double outside) {
 }
 
 double rounding_of(const Shape& s, const Plane& p, double value) {
-  const double slope = std::fabs(p.d_dx) + std::fabs(p.d_dy);
-  return slope == 0 ? 0 : u * s.conditioning * slope + 4 * u * (slope * s.reach + std::fabs(value));
+  if (p.d_dx == 0 && p.d_dy == 0) return 0;
+  return u * (s.rounding.x * std::fabs(p.d_dx) + s.rounding.y * std::fabs(p.d_dy) + 4 * std::fabs(value));
 }
 
-double plane_error(const Shape& s, const Plane& p, double value, double outside) {
+double moved_at(const Shape& s, double depth) { return s.moved + std::min(std::fabs(depth), 1.0) * s.near_moved; }
+
+namespace {
+
+double depth_error(const Shape& s, const Plane& p, double depth) {
   const double slope = std::fabs(p.d_dx) + std::fabs(p.d_dy);
-  return stretch_at(s, outside) * slope * s.moved + rounding_of(s, p, value);
+  return s.stretch * (slope * moved_at(s, depth) + std::fabs(depth) * s.relative_error) + rounding_of(s, p, depth);
 }
 
-Interval depth_at(const Shape& s, double x, double y, double near_plane) {
-  if (!s.planes_known) return {0, 1};
-  const Plane p = depth_plane(s, near_plane);
+}  // namespace
+
+Cover before_near(const Shape& s, double x, double y) {
+  if (!s.crosses_near) return Cover::in;
+  if (!s.planes_known) return Cover::maybe;
+  const Plane p = depth_plane(s);
   const double depth = evaluate(s, p, x, y);
-  const double error = plane_error(s, p, depth) + s.stretch * std::fabs(depth) * s.relative_error;
-  return {std::clamp(depth - error, 0.0, 1.0), std::clamp(depth + error, 0.0, 1.0)};
+  const double error = depth_error(s, p, depth) + s.near_slack;
+  return depth < 1 - error ? Cover::in : depth > 1 + error ? Cover::out : Cover::maybe;
+}
+
+Interval depth_at(const Shape& s, double x, double y) {
+  if (!s.planes_known) return {0, std::numeric_limits<double>::infinity()};
+  const Plane p = depth_plane(s);
+  const double depth = evaluate(s, p, x, y);
+  const double error = depth_error(s, p, depth);
+  return {std::max(depth - error, 0.0), std::max(depth + error, 0.0)};
 }
 
 }  // namespace assay::visibility

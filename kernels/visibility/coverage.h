@@ -29,17 +29,21 @@ struct Shape {
   bool certain = true;                // false: nothing is sure to be covered (facing unknown, positions unknown)
   bool whole = false;                 // no plane of the view cuts it
   bool crosses_near = false;          // the depth test 1/w <= 1/near decides too
-  double near_slack = 0;              // of depth, there
+  double near_plane = 0;              // metres
+  double near_slack = 0;              // of depth, where it is crossed
   uint32_t x_first = 0, y_first = 0, x_end = 0, y_end = 0;  // pixels outside are not covered
   double origin_x = 0, origin_y = 0;  // of the planes
   std::array<Plane, 3> weights = {};  // perspective weights times 1/w, one a vertex; their sum is 1/w
   Plane inverse_w = {};
   double moved = 0;            // the most that a corner may be moved, pixels
+  double near_moved = 0;       // likewise of corners on the near plane
   double height = 0;           // the least that the moved triangle has, pixels
   double stretch = 1;          // how far moved corners may extrapolate: sum of the weights' magnitudes
   double relative_error = 0;   // of 1/w at the corners
-  double conditioning = 0;     // rounding of plane evaluation is u * conditioning * (|d_dx| + |d_dy|), pixels
-  double reach = 0;            // largest coordinate that plane evaluation meets, pixels
+  // Rounding of plane evaluation is u * (rounding.x * |d_dx| + rounding.y * |d_dy|), pixels.
+  struct {
+    double x = 0, y = 0;
+  } rounding;
   bool planes_known = true;    // false: nothing is known of interpolated values
 };
 
@@ -55,20 +59,22 @@ struct Coverage {
 // Of the pixel's centre, by the edges.
 Coverage covers(const Shape&, double x, double y);
 // Of a shape that reaches behind the near plane: whether the pixel's centre lies before it.
-Cover before_near(const Shape&, double x, double y, double near_plane);
+Cover before_near(const Shape&, double x, double y);
 
 // An interval of a linear function's fp32 evaluation at a pixel centre.
 struct Interval {
   double low = 0, high = 0;
 };
-// near / w as rasterised, clamped to [0, 1].
-Interval depth_at(const Shape&, double x, double y, double near_plane);
-Plane depth_plane(const Shape&, double near_plane);
+// near / w as rasterised. A float depth buffer is not clamped: rounding may pass 1 at the near plane.
+Interval depth_at(const Shape&, double x, double y);
+Plane depth_plane(const Shape&);
 double evaluate(const Shape&, const Plane&, double x, double y);
 // Sum of the weights' magnitudes at a point that the device may see up to `outside` pixels beside the triangle.
 double stretch_at(const Shape&, double outside);
-// What fp32 evaluation of a plane may be off, and that with what moved corners do to it.
+// What fp32 evaluation of a plane may be off.
 double rounding_of(const Shape&, const Plane&, double value);
-double plane_error(const Shape&, const Plane&, double value, double outside = 0);
+// How far what is seen at a pixel of this depth may be moved: a corner on the near plane has at most the depth's weight,
+// as the weighted sum of the corners' depths is the pixel's, and its own is 1.
+double moved_at(const Shape&, double depth);
 
 }  // namespace assay::visibility

@@ -22,9 +22,10 @@ uvec2 octahedral(vec3 n) {
   return uvec2(round(clamp(p, -1, 1) * kFatNormalSteps) + kFatNormalSteps);
 }
 vec3 from_octahedral(uvec2 code) {
-  vec2 p = (vec2(code) - kFatNormalSteps) / kFatNormalSteps;
-  vec3 n = vec3(p, 1 - abs(p.x) - abs(p.y));
-  if (n.z < 0) n.xy = (1 - abs(n.yx)) * sign_or_one(n.xy);
+  // In steps, which are whole numbers: z has a certain sign, and with it the basis below.
+  vec2 p = vec2(code) - kFatNormalSteps;
+  vec3 n = vec3(p, kFatNormalSteps - abs(p.x) - abs(p.y));
+  if (n.z < 0) n.xy = (kFatNormalSteps - abs(n.yx)) * sign_or_one(n.xy);
   return normalize(n);
 }
 

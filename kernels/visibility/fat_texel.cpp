@@ -50,11 +50,11 @@ Vector vector(const vec3& v) { return {v.x, v.y, v.z}; }
 vec3 narrow(const Vector& v) { return vec3(static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)); }
 
 Vector normal_of(uint32_t code) {
-  const auto part = [](uint32_t bits) { return (static_cast<double>(bits & 2047u) - kFatNormalSteps) / double{kFatNormalSteps}; };
-  Vector n = {part(code), part(code >> 11), 0};
-  n.z = 1 - std::fabs(n.x) - std::fabs(n.y);
+  const auto steps = [](uint32_t bits) { return static_cast<double>(bits & 2047u) - double{kFatNormalSteps}; };
+  Vector n = {steps(code), steps(code >> 11), 0};
+  n.z = kFatNormalSteps - std::fabs(n.x) - std::fabs(n.y);
   if (n.z < 0) {
-    const double x = (1 - std::fabs(n.y)) * (n.x < 0 ? -1 : 1), y = (1 - std::fabs(n.x)) * (n.y < 0 ? -1 : 1);
+    const double x = (kFatNormalSteps - std::fabs(n.y)) * (n.x < 0 ? -1 : 1), y = (kFatNormalSteps - std::fabs(n.x)) * (n.y < 0 ? -1 : 1);
     n.x = x, n.y = y;
   }
   return 1 / n.length() * n;
