@@ -170,7 +170,12 @@ std::vector<HardCase> hard_cases() {
 }
 
 std::vector<Mutant> mutants() {
-  std::vector<Mutant> all = {
+  return {
+      {"common.glsl", 1, "gradients lose their sign", "sign_change"},
+      {"common.glsl", 2, "the threshold itself is an edge", "threshold_met"},
+      {"common.glsl", 3, "the second component is forgotten", "second_component"},
+      {"common.glsl", 4, "the last sample is not looked at", "corner_top_left"},
+      {"common.glsl", 5, "the last column's neighbour is the next row's first", "screen_edges"},
       {"mark_shared.comp", 6, "the atomic is lost", "every_pixel"},
       {"mark_shared.comp", 7, "the barrier before the store is dropped", "corner_bottom_right"},
       {"mark_ballot.comp", 8, "the barrier before the votes are joined is dropped", "corner_bottom_right"},
@@ -181,14 +186,6 @@ std::vector<Mutant> mutants() {
       {"append.comp", 13, "the barrier before the reservation is dropped", "tiles_300"},
       {"args.comp", 14, "tiles beyond 65,535 are lost", "edges_65536"},
   };
-  for (const char* file : {"mark_shared.comp", "mark_ballot.comp", "mark_subgroup.comp"})  // of common.glsl
-    for (const Mutant& m : {Mutant{file, 1, "gradients lose their sign", "sign_change"},
-                            Mutant{file, 2, "the threshold itself is an edge", "threshold_met"},
-                            Mutant{file, 3, "the second component is forgotten", "second_component"},
-                            Mutant{file, 4, "the last sample is not looked at", "corner_top_left"},
-                            Mutant{file, 5, "the last column's neighbour is the next row's first", "screen_edges"}})
-      all.push_back(m);
-  return all;
 }
 
 }  // namespace assay::edge_classification

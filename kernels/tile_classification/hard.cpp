@@ -77,9 +77,10 @@ std::vector<HardCase> placements() {
          return drawn({65, 65}, [](uint32_t, uint32_t) { return kEveryFeature; });
        }},
       {"bits_apart",
-       "each pixel of a tile has another bit, so a lost update or a lane that speaks for others loses some",
+       "each pixel of a tile's last row has a bit of its own: a lost update, or a lane that speaks for others, loses "
+       "it",
        [] {
-         return drawn({64, 64}, [](uint32_t x, uint32_t y) { return 1u << ((x * 5 + y * 7) % 32); });
+         return drawn({64, 64}, [](uint32_t x, uint32_t y) { return y % 32 == 31 ? 1u << x % 32 : 0; });
        }},
       {"high_lanes", "the tile's only bits are in its last pixels, written by the highest subgroups of the group",
        [] {
@@ -199,9 +200,10 @@ std::vector<HardCase> hard_cases() {
 }
 
 std::vector<Mutant> mutants() {
-  std::vector<Mutant> all = {
+  return {
       {"mark_atomic.comp", 1, "the atomic is lost", "bits_apart"},
       {"mark_atomic.comp", 2, "tiles a row are rounded down", "partial_tiles"},
+      {"tile_bits.glsl", 3, "one column too many is read", "partial_tiles"},
       {"mark_reduce.comp", 4, "the tree starts one level too low", "high_lanes"},
       {"mark_reduce.comp", 5, "the barrier of the tree is dropped", "high_lanes"},
       {"mark_subgroup.comp", 6, "the elected lane speaks for its subgroup", "bits_apart"},
@@ -215,13 +217,10 @@ std::vector<Mutant> mutants() {
       {"args.comp", 14, "group counts wrap", "groups_saturate"},
       {"args.comp", 15, "tiles beyond 65,535 are lost", "tiles_65536"},
       {"args.comp", 16, "a pass counts the tiles of the others", "passes_interleaved"},
-      {"mark_scalarised.comp", 9001, "the slide's form: the elected lane's bits stand for all", "bits_apart"},
-      {"mark_scalarised.comp", 9002, "lanes of other tiles join in", "straddling_subgroups"},
-      {"mark_scalarised.comp", 9003, "only the first tile of a subgroup is served", "straddling_subgroups"},
+      {"tile_or.glsl", 9001, "the slide's form: the elected lane's bits stand for all", "bits_apart"},
+      {"tile_or.glsl", 9002, "lanes of other tiles join in", "straddling_subgroups"},
+      {"tile_or.glsl", 9003, "only the first tile of a subgroup is served", "partial_tiles"},
   };
-  for (const char* file : {"mark_reduce.comp", "mark_subgroup.comp"})  // of tile_bits.glsl
-    all.push_back({file, 3, "one column too many is read", "partial_tiles"});
-  return all;
 }
 
 }  // namespace assay::tile_classification
