@@ -174,13 +174,30 @@ void check_extensions(const Json& doc, std::vector<std::string>& notes) {
       notes.push_back(fmt::format("extension {} is left out", f.value->dump()));
 }
 
+// How deep brackets nest outside strings. Counted before parsing: the library's recursion is bounded by it, and a
+// parser callback would cost a walk over the parent at every element's end.
+int depth_of(std::string_view text) {
+  int depth = 0, deepest = 0;
+  bool quoted = false;
+  for (size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted && c == '\\') {
+      ++i;
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (!quoted && (c == '[' || c == '{')) {
+      deepest = std::max(deepest, ++depth);
+    } else if (!quoted && (c == ']' || c == '}')) {
+      --depth;
+    }
+  }
+  return deepest;
+}
+
 Json parse(std::string_view text) {
-  const auto limit = [](int depth, Json::parse_event_t, Json&) {
-    if (depth > kDeepest) refuse("JSON", fmt::format("nested over {} levels deep", kDeepest));
-    return true;
-  };
+  if (depth_of(text) > kDeepest) refuse("JSON", fmt::format("nested over {} levels deep", kDeepest));
   try {
-    Json doc = Json::parse(text, limit);
+    Json doc = Json::parse(text);
     if (!doc.is_object()) refuse("JSON", "the document is not an object");
     return doc;
   } catch (const Json::parse_error& e) {
