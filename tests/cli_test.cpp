@@ -98,7 +98,7 @@ TEST(Cli, EveryCommandTeaches) {
 TEST(Cli, WrongFlagsAndNamesAreOneLine) {
   const std::pair<const char*, const char*> wrong[] = {
       {"", "no command"},
-      {"cheque", "cheque"},
+      {"cheque", "no command 'cheque'; did you mean 'check'"},
       {"check --nonsense", "--nonsense"},
       {"check --trials many", "trials"},
       {"check --trials -1", "trials"},

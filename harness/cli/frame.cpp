@@ -7,7 +7,6 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "harness/cli/command.h"
-#include "harness/nearest.h"
 #include "harness/report/json.h"
 #include "harness/report/progress.h"
 
@@ -55,8 +54,7 @@ void parse_variants(Flags& f) {
 void must_have_view(const std::string& view) {
   const auto& names = frame::view_names();
   if (std::ranges::find(names, view) == names.end())
-    throw Unusable(
-        fmt::format("no view '{}'{}; there are {}", view, did_you_mean(view, names), fmt::join(names, ", ")));
+    throw Unusable(fmt::format("no view '{}'; there are {}", view, fmt::join(names, ", ")));
 }
 
 void print(const Flags& f, const frame::Result& r, const fs::path& picture) {

@@ -1,10 +1,12 @@
 // assay: lists, checks, times and shows GPU kernels.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 
 #include "harness/cli/command.h"
+#include "harness/nearest.h"
 
 namespace {
 
@@ -49,6 +51,13 @@ int complain(const std::string& what, int code) {
   return code;
 }
 
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
 int run(int argc, char** argv) {
   CLI::App app(kAbout, "assay");
   app.require_subcommand(1);
@@ -56,10 +65,11 @@ int run(int argc, char** argv) {
   for (const auto add :
        {cli::add_devices, cli::add_list, cli::add_check, cli::add_bench, cli::add_frame, cli::add_mutate})
     add(app, action);
-  if (argc < 2) {
-    fmt::print(stderr, "assay: no command given; try one of devices, list, check, bench, frame, mutate, or --help\n");
-    return cli::kUnusable;
-  }
+  const std::string first = argc > 1 ? argv[1] : "";
+  if (first.empty()) return complain("no command given; try assay --help", cli::kUnusable);
+  const auto names = command_names(app);
+  if (!first.starts_with('-') && std::ranges::find(names, first) == names.end())
+    return complain(fmt::format("no command '{}'{}", first, did_you_mean(first, names)), cli::kUnusable);
   try {
     app.parse(arguments(argc, argv));
   } catch (const CLI::Success& asked) {  // --help
