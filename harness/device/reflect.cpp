@@ -125,53 +125,38 @@ Binding block_binding(const Compiler& c, const spirv_cross::Resource& r, Binding
   return b;
 }
 
-const char* glsl_name(spv::ImageFormat f) {
-  switch (f) {
-    case spv::ImageFormatR8:
-      return "r8";
-    case spv::ImageFormatR8ui:
-      return "r8ui";
-    case spv::ImageFormatRg8:
-      return "rg8";
-    case spv::ImageFormatRgba8:
-      return "rgba8";
-    case spv::ImageFormatRgba8ui:
-      return "rgba8ui";
-    case spv::ImageFormatR16:
-      return "r16";
-    case spv::ImageFormatR16f:
-      return "r16f";
-    case spv::ImageFormatRg16Snorm:
-      return "rg16_snorm";
-    case spv::ImageFormatRg16:
-      return "rg16";
-    case spv::ImageFormatRg16f:
-      return "rg16f";
-    case spv::ImageFormatRgba16f:
-      return "rgba16f";
-    case spv::ImageFormatRgba16ui:
-      return "rgba16ui";
-    case spv::ImageFormatR32ui:
-      return "r32ui";
-    case spv::ImageFormatR32f:
-      return "r32f";
-    case spv::ImageFormatRg32ui:
-      return "rg32ui";
-    case spv::ImageFormatRg32f:
-      return "rg32f";
-    case spv::ImageFormatRgba32ui:
-      return "rgba32ui";
-    case spv::ImageFormatRgba32f:
-      return "rgba32f";
-    case spv::ImageFormatR11fG11fB10f:
-      return "r11f_g11f_b10f";
-    case spv::ImageFormatR64ui:
-      return "r64ui";
-    case spv::ImageFormatUnknown:
-      return "";
-    default:
-      return "a format without a port's";
-  }
+struct ImageFormatName {
+  spv::ImageFormat format;
+  const char* name;
+};
+constexpr ImageFormatName kImageFormats[] = {
+    {spv::ImageFormatR8, "r8"},
+    {spv::ImageFormatR8ui, "r8ui"},
+    {spv::ImageFormatRg8, "rg8"},
+    {spv::ImageFormatRgba8, "rgba8"},
+    {spv::ImageFormatRgba8ui, "rgba8ui"},
+    {spv::ImageFormatR16, "r16"},
+    {spv::ImageFormatR16f, "r16f"},
+    {spv::ImageFormatR16ui, "r16ui"},
+    {spv::ImageFormatRg16Snorm, "rg16_snorm"},
+    {spv::ImageFormatRg16, "rg16"},
+    {spv::ImageFormatRg16f, "rg16f"},
+    {spv::ImageFormatRgba16f, "rgba16f"},
+    {spv::ImageFormatRgba16ui, "rgba16ui"},
+    {spv::ImageFormatR32ui, "r32ui"},
+    {spv::ImageFormatR32f, "r32f"},
+    {spv::ImageFormatRg32ui, "rg32ui"},
+    {spv::ImageFormatRg32f, "rg32f"},
+    {spv::ImageFormatRgba32ui, "rgba32ui"},
+    {spv::ImageFormatRgba32f, "rgba32f"},
+    {spv::ImageFormatR11fG11fB10f, "r11f_g11f_b10f"},
+    {spv::ImageFormatR64ui, "r64ui"},
+    {spv::ImageFormatUnknown, ""},
+};
+
+std::string glsl_name(spv::ImageFormat f) {
+  const auto* row = std::ranges::find(kImageFormats, f, &ImageFormatName::format);
+  return row == std::end(kImageFormats) ? "SPIR-V image format " + std::to_string(static_cast<int>(f)) : row->name;
 }
 
 Binding image_binding(const Compiler& c, const spirv_cross::Resource& r, BindingKind kind) {
