@@ -165,6 +165,24 @@ TEST(Gltf, TextFilesWithADataUri) {
   EXPECT_EQ(load_bytes(g.doc.dump(), "test.gltf").meshes[0].positions[2], glm::vec3(1, 1, 0));
 }
 
+TEST(Gltf, ExternalBuffersAndImagesAreFoundBesideTheFile) {
+  Glb g = quad();
+  const Json view = g.doc["bufferViews"][4];  // the PNG
+  const std::filesystem::path buffer = temporary("some buffer.bin"), texture = temporary("external.png");
+  std::ofstream(buffer, std::ios::binary) << g.bin;
+  std::ofstream(texture, std::ios::binary) << g.bin.substr(view["byteOffset"], view["byteLength"]);
+  std::string address = buffer.filename().string();
+  address.replace(address.find(' '), 1, "%20");
+  g.doc["buffers"] = {{{"byteLength", g.bin.size()}, {"uri", address}}};
+  g.doc["images"] = {{{"uri", texture.filename().string()}}};
+  const scene::Scene s = load_bytes(g.doc.dump(), "test.gltf");
+  EXPECT_EQ(s.meshes[0].positions.size(), 4u);
+  EXPECT_EQ(s.images[0].width, 4u);
+  std::filesystem::remove(texture);
+  EXPECT_THROW(load_bytes(g.doc.dump(), "test.gltf"), std::runtime_error);
+  std::filesystem::remove(buffer);
+}
+
 TEST(Gltf, WhatIsLeftOutIsNoted) {
   Glb g = quad();
   g.doc["extensionsUsed"].push_back("KHR_texture_transform");

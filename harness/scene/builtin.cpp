@@ -94,9 +94,9 @@ glm::vec4 leaves(float u, float v) {
     const float side = i % 2 ? 1.0f : -1.0f, root = 0.88f - 0.12f * static_cast<float>(i);
     const float along = ((u - 0.5f) * side * 0.8f + (root - v) * 0.6f) / 0.46f;  // 0 at the stem, 1 at the tip
     const float across = (u - 0.5f) * side * 0.6f - (root - v) * 0.8f;
-    if (along > 0 && along < 1) inside = std::fmax(inside, 0.30f * along * (1 - along) * 1.4f - std::fabs(across));
+    if (along > 0 && along < 1) inside = std::fmax(inside, 0.22f * along * (1 - along) - std::fabs(across));
   }
-  return {0.2f + 0.2f * v, 0.5f - 0.15f * v, 0.12f, 0.5f + inside * 12};
+  return {0.2f + 0.2f * v, 0.5f - 0.15f * v, 0.12f, 0.5f + inside * 16};
 }
 glm::vec4 grille(float u, float v) {
   const float x = std::fabs(std::fmod(u * 8, 1.0f) - 0.5f), y = std::fabs(std::fmod(v * 8, 1.0f) - 0.5f);
