@@ -21,8 +21,8 @@ enum class Sample { half, float32, uint32 };
 struct Channel {
   std::string name;
   Sample sample = Sample::float32;
-  std::vector<float> values;      // half and float32
-  std::vector<uint32_t> integers; // uint32
+  std::vector<float> values;       // half and float32
+  std::vector<uint32_t> integers;  // uint32
 };
 struct Layers {
   uint32_t width = 0, height = 0;

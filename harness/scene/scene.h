@@ -107,11 +107,11 @@ struct Gathered {
   std::vector<VertexAttributes> attributes;
   std::vector<uint32_t> indices;
   std::vector<SurfaceRecord> surfaces;
-  std::vector<DrawCommand> draws;   // by bucket (formats/scene.h); instances of one mesh part are one command
+  std::vector<DrawCommand> draws;  // by bucket (formats/scene.h); instances of one mesh part are one command
   std::vector<MaterialRecord> materials;
-  std::vector<Texture> textures;    // one array a (size, format)
+  std::vector<Texture> textures;                         // one array a (size, format)
   std::vector<uint32_t> surface_instance, surface_part;  // back to the scene, for reference renderers
-  std::vector<std::string> notes;   // what was left out and why: culled instances, blended materials
+  std::vector<std::string> notes;  // what was left out and why: culled instances, blended materials
 };
 Gathered gather(const Scene&, const Camera&, Extent);
 
