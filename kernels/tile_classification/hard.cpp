@@ -204,7 +204,7 @@ std::vector<Mutant> mutants() {
       {"mark_atomic.comp", 1, "the atomic is lost", "bits_apart"},
       {"mark_atomic.comp", 2, "tiles a row are rounded down", "partial_tiles"},
       {"tile_bits.glsl", 3, "one column too many is read", "partial_tiles"},
-      {"mark_reduce.comp", 4, "the tree starts one level too low", "high_lanes"},
+      {"mark_reduce.comp", 4, "the upper half of each level is left out", "high_lanes"},
       {"mark_reduce.comp", 5, "the barrier of the tree is dropped", "high_lanes"},
       {"mark_subgroup.comp", 6, "the elected lane speaks for its subgroup", "bits_apart"},
       {"mark_subgroup.comp", 7, "the barrier before the store is dropped", "high_lanes"},

@@ -1,5 +1,5 @@
 // One group a tile: each thread ORs every THREADS-th pixel of it, so that neighbouring lanes read neighbouring pixels.
-layout(constant_id = 0) const uint THREADS = 256u;  // divides the tile's 1024 pixels
+layout(constant_id = 0) const uint THREADS = 64u;  // divides the tile's 1024 pixels
 layout(local_size_x_id = 0) in;
 READS(0, uint, features);
 WRITES(1, uint, masks);
