@@ -35,15 +35,13 @@ struct Looking {
     return {.text = "clear " + c.port, .runs = true, .ports = {{c.port, kTransfer}}};
   }
 
-  LivePass call(const Draw& d, const DrawCall& c) const {
+  LivePass call(const DrawCall& c) const {
     LivePass pass = {.text = "draw " + c.vertex + " " + c.fragment};
     if (c.cull != Cull::none) pass.text += c.cull == Cull::back ? ", back faces culled" : ", front faces culled";
     pass.runs = c.count && c.count(input) > 0;
     if (!pass.runs) pass.reason = "nothing in view is drawn so";
     bind(pass, c.vertex, kGraphics);
     bind(pass, c.fragment, kGraphics);
-    if (!d.indices.empty()) pass.ports.push_back({d.indices, kGraphics});
-    if (!d.commands.empty()) pass.ports.push_back({d.commands, kIndirect});
     if (!c.count_port.empty()) pass.ports.push_back({c.count_port, kIndirect});
     return pass;
   }
@@ -59,6 +57,9 @@ struct Looking {
     if (d.depth) add(d.depth->port, d.depth->clear.has_value());
     for (const DrawCall& c : d.calls) pass.runs |= c.count && c.count(input) > 0;
     if (!pass.runs) pass.reason = "neither cleared nor drawn to";
+    // A draw's commands and indices are bound once, for all of its calls.
+    if (!d.indices.empty()) pass.ports.push_back({d.indices, kGraphics});
+    if (!d.commands.empty()) pass.ports.push_back({d.commands, kIndirect});
     return pass;
   }
 };
@@ -80,7 +81,7 @@ std::vector<LivePass> passes_of(const Kernel& k, const Variant& v, const Case& c
     if (const auto* clear = std::get_if<Clear>(&pass)) passes.push_back(looking.clear(*clear));
     if (const auto* draw = std::get_if<Draw>(&pass)) {
       passes.push_back(looking.targets(*draw));
-      for (const DrawCall& call : draw->calls) passes.push_back(looking.call(*draw, call));
+      for (const DrawCall& call : draw->calls) passes.push_back(looking.call(call));
     }
   }
   return passes;
