@@ -1,4 +1,4 @@
-// What an edge pixel is. The includer declares READS(0, uint, materials), READS(1, uint, gradients) through here.
+// What an edge pixel is, and the inputs that say so. Loads of an invocation: at most 2 * 10 a pixel.
 #include "harness/glsl/ports.glsl"
 #include "kernels/edge_classification/layout.h"
 #include "harness/glsl/tiles.glsl"
@@ -19,11 +19,21 @@ ivec2 decode_gradient(uint bits) {
 #endif
 }
 
-// Whether two samples, by their places in the inputs, lie on surfaces to be shaded apart.
-bool differ(uint a, uint b) {
-  if (materials[a] != materials[b]) return true;
-  if (params.gradients == 0u) return false;
-  const uvec2 apart = uvec2(abs(decode_gradient(gradients[a]) - decode_gradient(gradients[b])));
+struct Surface {
+  uint material;
+  ivec2 gradient;  // 0 where materials alone count
+};
+
+Surface surface_of(uint place) {
+  Surface surface = Surface(materials[place], ivec2(0));
+  if (params.gradients != 0u) surface.gradient = decode_gradient(gradients[place]);
+  return surface;
+}
+
+// Whether two samples lie on surfaces to be shaded apart.
+bool differ(Surface a, Surface b) {
+  if (a.material != b.material) return true;
+  const uvec2 apart = uvec2(abs(a.gradient - b.gradient));
 #if defined(MUTANT_2)  // the threshold itself is an edge
   return apart.x >= params.threshold || apart.y >= params.threshold;
 #elif defined(MUTANT_3)  // the second component is forgotten
@@ -40,20 +50,21 @@ bool is_edge(uint tile, uint i) {
   const uvec2 at = uvec2(tile % across, tile / across) * kEdgeTileSide + uvec2(i % kEdgeTileSide, i / kEdgeTileSide);
   if (!on_screen(at, extent)) return false;
   const uint samples = clamp(params.samples, 1u, kMaxSamples);
-  const uint first = (at.y * extent.x + at.x) * samples;
+  const uint place = (at.y * extent.x + at.x) * samples;
+  const Surface first = surface_of(place);
 #ifdef MUTANT_4  // the last sample is not looked at
   for (uint s = 1u; s + 1u < samples; ++s)
 #else
   for (uint s = 1u; s < samples; ++s)
 #endif
-    if (differ(first, first + s)) return true;
+    if (differ(first, surface_of(place + s))) return true;
   if (params.neighbours == 0u) return false;
 #ifdef MUTANT_5  // at the right edge of the screen, the neighbour is the next row's first pixel
   if (at.x + 1u < extent.x || at.y + 1u < extent.y) {
 #else
   if (at.x + 1u < extent.x) {
 #endif
-    if (differ(first, first + samples)) return true;
+    if (differ(first, surface_of(place + samples))) return true;
   }
-  return at.y + 1u < extent.y && differ(first, first + samples * extent.x);
+  return at.y + 1u < extent.y && differ(first, surface_of(place + samples * extent.x));
 }
