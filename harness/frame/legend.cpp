@@ -20,7 +20,7 @@ constexpr size_t kMostRows = 36;  // of one legend; the rest is counted
 constexpr std::pair<uint32_t, const char*> kFeatureNames[] = {
     {kFeatureOpaque, "opaque"},
     {kFeatureMasked, "masked"},
-    {kFeatureDoubleSided, "two-sided"},
+    {kFeatureDoubleSided, "2-sided"},
     {kFeatureCloth, "cloth"},
     {kFeatureSkin, "skin"},
     {kFeatureDecals, "decals"},
@@ -119,7 +119,8 @@ std::vector<Row> triangle_rows(const Looking& l) {
   return rows;
 }
 
-// Heat by number of features, then the sets themselves in the colours of their squares, read off the picture.
+// Heat by number of features, then the sets themselves in the colours of the squares that mark them, read off the
+// picture.
 std::vector<Row> tile_rows(const Looking& l) {
   const auto masks = l.words<uint32_t>("tile_classification.masks");
   const auto heat = l.palette.input<uint32_t>("heat_colours");
@@ -141,9 +142,8 @@ std::vector<Row> tile_rows(const Looking& l) {
          ~uint64_t{0} - static_cast<uint64_t>(bits)});
   for (const auto& [mask, tiles] : tiles_of_mask)
     if (mask)
-      rows.push_back({tiles.second,
-                      fmt::format("square, {}: {}", l.share(tiles.first, masks.size()), feature_names(mask)),
-                      tiles.first});
+      rows.push_back(
+          {tiles.second, fmt::format("{} {}", l.share(tiles.first, masks.size()), feature_names(mask)), tiles.first});
   return rows;
 }
 
