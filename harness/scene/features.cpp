@@ -25,8 +25,9 @@ double mean_channel(const Scene& scene, uint32_t image, uint32_t channel) {
   if (image == kNone || scene.images[image].rgba.empty()) return 1;
   const std::vector<uint8_t>& texels = scene.images[image].rgba;
   uint64_t sum = 0;
+  const size_t count = texels.size() / 4;
   for (size_t i = channel; i < texels.size(); i += 4) sum += texels[i];
-  return static_cast<double>(sum) / (255.0 * static_cast<double>(texels.size() / 4));
+  return static_cast<double>(sum) / (255.0 * static_cast<double>(count));
 }
 
 // Sharp reflections are worth tracing: mostly metal, or smooth enough to mirror, on average over its texels.

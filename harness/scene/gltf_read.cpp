@@ -84,14 +84,16 @@ std::vector<Found> find(const Json& root, std::string_view path) {
     path = slash == std::string_view::npos ? std::string_view() : path.substr(slash + 1);
     std::vector<Found> next;
     for (const Found& f : found) {
-      const std::string dot = f.place.empty() ? "" : ".";
+      const auto member = [&](const std::string& name) {
+        return f.place.empty() ? name : fmt::format("{}.{}", f.place, name);
+      };
       if (step != "*") {
-        if (f.value->is_object() && f.value->contains(step)) next.push_back({&(*f.value)[step], f.place + dot + step});
+        if (f.value->is_object() && f.value->contains(step)) next.push_back({&(*f.value)[step], member(step)});
       } else if (f.value->is_array()) {
         for (size_t i = 0; i < f.value->size(); ++i)
           next.push_back({&(*f.value)[i], fmt::format("{}[{}]", f.place, i)});
       } else if (f.value->is_object()) {
-        for (const auto& [name, value] : f.value->items()) next.push_back({&value, f.place + dot + name});
+        for (const auto& [name, value] : f.value->items()) next.push_back({&value, member(name)});
       }
     }
     found = std::move(next);
