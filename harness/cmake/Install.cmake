@@ -11,6 +11,7 @@ foreach(program ${programs})
   set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/../lib")
   target_link_options(${program} PRIVATE -Wl,--disable-new-dtags)
 endforeach()
+install(CODE "set(CMAKE_INSTALL_DO_STRIP 1)")
 install(TARGETS ${programs} RUNTIME_DEPENDENCY_SET needed RUNTIME DESTINATION bin)
 install(RUNTIME_DEPENDENCY_SET needed
   PRE_EXCLUDE_REGEXES "^ld-linux" "^lib(c|m|dl|pthread|rt|resolv|util|mvec|anl)\\.so"
@@ -18,5 +19,5 @@ install(RUNTIME_DEPENDENCY_SET needed
 
 file(REAL_PATH ${Vulkan_LIBRARY} loader)
 install(FILES ${loader} DESTINATION lib RENAME libvulkan.so.1)
-install(DIRECTORY fixtures DESTINATION .)
+install(DIRECTORY fixtures DESTINATION . OPTIONAL)
 install(FILES harness/cmake/bundle.txt DESTINATION . RENAME README.txt)
