@@ -15,7 +15,7 @@ std::string complaint(const std::string& bytes, const std::string& suffix = "tes
     load_bytes(bytes, suffix);
     return "";
   } catch (const std::runtime_error& e) {
-    const std::string what = e.what();
+    std::string what = e.what();
     EXPECT_EQ(what.find('\n'), std::string::npos) << what;
     EXPECT_EQ(what.rfind(temporary(suffix).string() + ": ", 0), 0u) << "names no file: " << what;
     return what;

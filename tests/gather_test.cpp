@@ -162,7 +162,7 @@ TEST(Gather, OneArrayASizeAndNamesThatFindTheLayer) {
   EXPECT_EQ(g.materials[0].base_texture, 0u);
   EXPECT_EQ(g.materials[1].base_texture, 1u << 16);
   EXPECT_EQ(g.materials[2].base_texture, 1u);
-  EXPECT_EQ(static_cast<int>(g.textures[0].bytes[4 * 16]), 30);  // second layer's first texel
+  EXPECT_EQ(static_cast<int>(g.textures[0].bytes[size_t{4} * 16]), 30);  // second layer's first texel
 }
 
 TEST(Gather, MipsAverageInLinearLight) {

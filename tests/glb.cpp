@@ -23,7 +23,7 @@ std::string png_bytes() {
   const std::filesystem::path file = temporary("texture.png");
   image::write_png(file, texels);
   std::ifstream in(file, std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   std::filesystem::remove(file);
   return bytes;
 }

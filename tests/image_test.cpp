@@ -54,8 +54,8 @@ TEST(Image, PngRoundTripsAnyTexels) {
   const TemporaryFile file("round.png");
   const bool passed = rc::check("PNG round trip", [&] {
     Rgba8 image = {*rc::gen::inRange(1u, 40u), *rc::gen::inRange(1u, 40u), {}};
-    image.texels =
-        *rc::gen::container<std::vector<uint8_t>>(image.width * image.height * 4, rc::gen::arbitrary<uint8_t>());
+    image.texels = *rc::gen::container<std::vector<uint8_t>>(size_t{image.width} * image.height * 4,
+                                                             rc::gen::arbitrary<uint8_t>());
     image::write_png(file.path, image);
     const Rgba8 back = image::read_png(file.path);
     RC_ASSERT(back.width == image.width && back.height == image.height && back.texels == image.texels);
