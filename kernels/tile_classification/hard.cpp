@@ -177,8 +177,8 @@ std::vector<HardCase> sizes() {
       {"tiles_300", "more tiles than a gathering group has threads, all in one list", [] { return column(300); }},
       {"tiles_65535", "the last list that one dimension of a dispatch holds", [] { return column(65535); }},
       {"tiles_65536", "the first that needs another dimension", [] { return column(65536); }},
-      {"tiles_65537", "two planes that cannot be equal: one group is left over", [] { return column(65537); }},
-      {"groups_just_fit", "65,537 tiles of 65,535 groups are 2^32 - 1 groups", [] { return column(65537, 65535); }},
+      {"tiles_65537", "two planes that cannot be equal; and 65,537 x 65,535 groups are 2^32 - 1, the most that fit",
+       [] { return column(65537, 65535); }},
       {"groups_saturate", "one tile more is beyond 32 bits", [] { return column(65538, 65535); }},
       {"no_pixels", "an empty screen has no tile at all",
        [] {

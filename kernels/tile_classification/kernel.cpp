@@ -56,7 +56,7 @@ Kernel describe() {
                     .note = "a group a tile, a tree in shared memory, one store"},
                    {.name = "subgroup_or",
                     .passes = after({Dispatch{"mark_subgroup.comp", per_tile}}),
-                    .constants = {{"THREADS", {64, 256, 1024}}},
+                    .constants = {{"THREADS", {64, 256}}},
                     .needs = {Feature::subgroup_arithmetic},
                     .note = "a group a tile, an OR a subgroup, one shared atomic each, one store"}},
       .oracle = classify,
