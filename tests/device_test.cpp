@@ -56,6 +56,27 @@ TEST(Device, ThatIsNotThereIsRefusedWithAList) {
   }
 }
 
+TEST(Device, IsNeverTakenInSilence) {
+  std::vector<device::Info> infos(3);
+  for (uint32_t i = 0; i < 3; ++i) infos[i].index = i;
+  infos[0] = {.index = 0, .name = "Alpha 100", .uuid = "00112233445566778899aabbccddeeff", .type = "discrete"};
+  infos[1] = {.index = 1, .name = "Alpha 200", .uuid = "10112233445566778899aabbccddeeff", .type = "integrated"};
+  infos[2] = {.index = 2, .name = "llvmpipe", .uuid = "20112233445566778899aabbccddeeff", .type = "cpu"};
+  EXPECT_EQ(device::choose(infos, ""), 2u);
+  EXPECT_EQ(device::choose(infos, "1"), 1u);
+  EXPECT_EQ(device::choose(infos, "alpha 1"), 0u);
+  EXPECT_EQ(device::choose(infos, "10112233-4455"), 1u);
+  const std::span<const device::Info> gpus = std::span(infos).first(2), one = std::span(infos).first(1);
+  for (const auto& some : {gpus, one}) {
+    const std::string text = message_of<device::NoSuchDevice>([&] { device::choose(some, ""); });
+    EXPECT_TRUE(contains(text, "--device")) << text;
+    EXPECT_TRUE(contains(text, "Alpha 100")) << text;
+  }
+  const std::string ambiguous = message_of<device::NoSuchDevice>([&] { device::choose(infos, "alpha"); });
+  EXPECT_TRUE(contains(ambiguous, "more than one device matches 'alpha'")) << ambiguous;
+  message_of<device::NoSuchDevice>([&] { device::choose({}, ""); });
+}
+
 TEST(Device, TellsWhatItIs) {
   const device::Info& i = device::info(*device());
   EXPECT_EQ(i.uuid.size(), 32u);

@@ -56,6 +56,9 @@ struct Options {
   Validation validation = Validation::off;
 };
 
+// The position in `infos` that Options::select names, by the rules above. Throws NoSuchDevice, which lists them.
+size_t choose(std::span<const Info> infos, const std::string& select);
+
 class Device;
 struct Close {
   void operator()(Device*) const;

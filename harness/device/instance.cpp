@@ -92,7 +92,7 @@ std::string lower_case(std::string s) {
   return s;
 }
 
-std::string listed(const std::vector<Info>& infos) {
+std::string listed(std::span<const Info> infos) {
   if (infos.empty()) return "there is no Vulkan device; lavapipe comes with mesa-vulkan-drivers";
   std::string s = "there are";
   for (const Info& i : infos)
@@ -173,7 +173,7 @@ std::vector<Info> list() {
   return infos;
 }
 
-size_t selected(const std::vector<Info>& infos, const std::string& select) {
+size_t choose(std::span<const Info> infos, const std::string& select) {
   std::vector<size_t> found;
   if (select.empty()) {
     for (const Info& i : infos)

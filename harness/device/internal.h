@@ -55,8 +55,6 @@ struct Physical {
   std::vector<std::string> extensions = {};  // optional ones that open() enables
 };
 std::vector<Physical> physical_devices(const Instance&);
-// The position in `infos` that `select` names. Throws NoSuchDevice.
-size_t selected(const std::vector<Info>& infos, const std::string& select);
 
 // The features that a device has of those that Assay uses, ready for VkDeviceCreateInfo. Chained to itself: not
 // movable.

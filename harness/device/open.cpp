@@ -198,7 +198,7 @@ Handle open(const Options& options) {
   std::vector<Physical> physical = physical_devices(*instance);
   std::vector<Info> infos;
   for (const Physical& p : physical) infos.push_back(p.info);
-  Physical& chosen = physical[selected(infos, options.select)];
+  Physical& chosen = physical[choose(infos, options.select)];
   if (!chosen.info.missing.empty())
     throw Error(fmt::format("Assay cannot run on device {} '{}': {}", chosen.info.index, chosen.info.name,
                             chosen.info.missing));
