@@ -60,9 +60,10 @@ std::string program() { return (fs::read_symlink("/proc/self/exe").parent_path()
 
 Ran assay(const std::string& arguments) {
   const Folder folder;
-  const std::string out = folder.file("out"), err = folder.file("err");
-  const int status =
-      std::system(fmt::format("cd {} && '{}' {} >out 2>err </dev/null", folder.file(""), program(), arguments).c_str());
+  const std::string out = folder.file("stdout.txt"), err = folder.file("stderr.txt");
+  const int status = std::system(
+      fmt::format("cd {} && '{}' {} >stdout.txt 2>stderr.txt </dev/null", folder.file(""), program(), arguments)
+          .c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out), text_of(err)};
 }
 

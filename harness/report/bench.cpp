@@ -65,7 +65,7 @@ Verified verify(device::Device& d, const Entry& e, const check::Prepared& prepar
   Verified result;
   result.refused = device::missing(device::info(d), *e.variant);
   if (!result.refused.empty()) return result;
-  const auto ports = device::make_ports(d, *e.kernel, prepared.input);
+  const auto ports = device::make_ports(d, *e.kernel, prepared.input, {}, e.variant);
   const check::Outcome outcome = check::run_case(d, plan_of(e), prepared, ports, true);
   const auto& bounds = bounds_of(*e.kernel, *e.variant);
   for (size_t i = 0; i < bounds.size(); ++i) {

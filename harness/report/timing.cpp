@@ -28,11 +28,10 @@ uint64_t memory_of(const device::Ports& ports) {
   return total;
 }
 
-std::vector<device::Command> one_execution(device::Device& d, const device::Plan& plan, const Case& c,
-                                           const device::Ports& ports) {
-  auto commands = device::lower(d, plan, c, ports);
-  commands.push_back(device::barrier());
-  return commands;
+void add_set(device::Device& d, Loop& loop, const device::Plan& plan, const Case& c) {
+  loop.ports.push_back(device::make_ports(d, *plan.kernel, c, {}, plan.variant));
+  loop.sets.push_back(device::lower(d, plan, c, loop.ports.back()));
+  loop.sets.back().push_back(device::barrier());
 }
 
 double median(std::vector<double> values) {
@@ -70,14 +69,11 @@ Loop make_loop(device::Device& d, const device::Plan& plan, const Case& c) {
   const uint64_t span = device::info(d).type == "cpu" ? kCpuCacheSpan : kGpuCacheSpan;
   const Cost cost = plan.kernel->cost(c);
   const uint64_t touched = std::max<uint64_t>(cost.bytes_read + cost.bytes_written, 1);
-  device::Ports ports = device::make_ports(d, *plan.kernel, c);
-  const uint64_t affordable = std::max<uint64_t>(kMostMemory / std::max<uint64_t>(memory_of(ports), 1), 1);
-  const uint64_t sets = std::min({span / touched + 1, affordable, kMostSets});
-
   Loop loop;
-  loop.sets.push_back(one_execution(d, plan, c, ports));
-  for (uint64_t i = 1; i < sets; ++i)
-    loop.sets.push_back(one_execution(d, plan, c, device::make_ports(d, *plan.kernel, c)));
+  add_set(d, loop, plan, c);
+  const uint64_t affordable = std::max<uint64_t>(kMostMemory / std::max<uint64_t>(memory_of(loop.ports[0]), 1), 1);
+  const uint64_t sets = std::min({span / touched + 1, affordable, kMostSets});
+  while (loop.sets.size() < sets) add_set(d, loop, plan, c);
   loop.dispatches = static_cast<uint32_t>(std::ranges::count_if(loop.sets.front(), is_work));
   loop.rotated_bytes = touched * sets;
   loop.cold_enough = loop.rotated_bytes > span;
@@ -109,5 +105,11 @@ std::vector<Sample> samples(device::Device& d, Loop& loop, Cache cache, uint32_t
 
 double median_gpu_ns(const std::vector<Sample>& all) { return median_of(all, &Sample::gpu_ns); }
 double median_cpu_ns(const std::vector<Sample>& all) { return median_of(all, &Sample::cpu_ns); }
+
+double least_gpu_ns(const std::vector<Sample>& all) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Sample& s : all) least = std::min(least, s.gpu_ns);
+  return least;
+}
 
 }  // namespace assay::report

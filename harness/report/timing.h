@@ -19,6 +19,7 @@ enum class Cache { cold, hot };
 
 // Executions of one plan over several equal sets of resources. Going round the sets keeps the inputs out of the cache.
 struct Loop {
+  std::vector<device::Ports> ports;                // of every set; commands do not own what they bind
   std::vector<std::vector<device::Command>> sets;  // an execution each, with the barrier that orders it before the next
   uint32_t dispatches = 0;                         // dependent dispatches, draws and clears an execution
   uint64_t rotated_bytes = 0;                      // what one round over all sets touches
@@ -35,5 +36,6 @@ std::vector<Sample> samples(device::Device&, Loop&, Cache, uint32_t count);
 
 double median_gpu_ns(const std::vector<Sample>&);  // NaN of none
 double median_cpu_ns(const std::vector<Sample>&);
+double least_gpu_ns(const std::vector<Sample>&);  // what is possible, others' load aside; infinite of none
 
 }  // namespace assay::report

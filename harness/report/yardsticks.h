@@ -1,4 +1,5 @@
-// What this device can do at best, measured in the run that uses it: an empty dispatch, a copy, multiply and add.
+// What this device can do at best, measured in the run that uses it: an empty dispatch, a copy, multiply and add. At
+// best means the least of the samples: load from elsewhere only ever adds.
 #pragma once
 #include <map>
 
