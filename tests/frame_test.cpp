@@ -1,6 +1,7 @@
 // The frame on the device: what passes between kernels, what a scene needs and what it does not, and every odd size.
 #include "harness/frame/frame.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +29,9 @@ std::vector<T> words(const Bytes& bytes) {
   return v;
 }
 
-Result draw(const scene::Scene& s, Options o) { return frame::render(*device(), s, scene::default_camera(s), o); }
+Result draw(const scene::Scene& s, const Options& o) {
+  return frame::render(*device(), s, scene::default_camera(s), o);
+}
 Result draw_at(const scene::Scene& s, Extent size, const std::string& view = "material") {
   return draw(s, {.size = size, .view = view, .warm_up = false});
 }
@@ -84,7 +87,7 @@ void expect_as_by_oracle(const frame::Graph& graph, const Result& r, const scene
       c.inputs[b.port->name] = r.downloads.at(source);
   }
   for (const auto& [port, expected] : node->kernel->oracle(c)) {
-    auto want = words<uint32_t>(expected.low), got = words<uint32_t>(r.downloads.at(name + "." + port));
+    auto want = words<uint32_t>(expected.low), got = words<uint32_t>(r.downloads.at(fmt::format("{}.{}", name, port)));
     if (!expected.live) {
       EXPECT_EQ(want == got, true) << name << "." << port;
       continue;

@@ -92,6 +92,7 @@ std::vector<Row> material_rows(const Looking& l) {
   for (size_t i = 0; i < of_surface.size(); ++i)
     if (of_surface[i]) pixels_of[l.gathered.surfaces[i].material] += of_surface[i];
   std::vector<Row> rows;
+  rows.reserve(pixels_of.size() + 1);
   for (const auto& [material, count] : pixels_of) {
     rows.push_back({colours[material],
                     fmt::format("{}, {}", l.material_name(material), l.share(count, visibility.size())), count});
@@ -135,6 +136,7 @@ std::vector<Row> tile_rows(const Looking& l) {
     if (colour == 0 && x < l.result.size.width && y < l.result.size.height) colour = l.image_at(x, y);
   }
   std::vector<Row> rows;
+  rows.reserve(tiles_of_heat.size() + tiles_of_mask.size());
   for (const auto& [bits, count] : tiles_of_heat)
     rows.push_back(
         {heat[static_cast<size_t>(bits)],
@@ -194,6 +196,7 @@ std::vector<image::LegendRow> legend_of(const Result& result, const scene::Scene
   rows.resize(rows.size() - more);
   if (more) rows.push_back({0x404040, fmt::format("and {} more", more), 0});
   std::vector<image::LegendRow> legend;
+  legend.reserve(rows.size());
   for (const Row& r : rows)
     legend.push_back({static_cast<uint8_t>(r.colour), static_cast<uint8_t>(r.colour >> 8),
                       static_cast<uint8_t>(r.colour >> 16), r.text});

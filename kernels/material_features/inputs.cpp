@@ -115,7 +115,7 @@ std::vector<HardCase> hard_cases() {
       {"wide", "width and height cannot be swapped", sizes({200, 3})},
       {"empty_screen", "no pixel has a surface and there is none to read",
        [] {
-         return to_case("", {.extent = {31, 33}, .visibility = std::vector<uvec2>(31 * 33, uvec2(kVisibilityNone))});
+         return to_case("", scene_of({31, 33}, 0, 0));
        }},
       {"last_surface", "the highest index of surfaces and of materials, every wave uniform",
        [] {
