@@ -66,6 +66,13 @@ class Random {
 Extent random_extent(Random&, uint32_t tile);
 inline const std::vector<std::string> kExtentBranches = {"extent_tiny", "extent_middle", "extent_tiles", "extent_large"};
 
+// An oracle's answer for a port of which every element is live.
+template <class T>
+Expected expect_all(const std::vector<T>& elements) {
+  const auto bytes = std::as_bytes(std::span(elements));
+  return {.low = Bytes(bytes.begin(), bytes.end())};
+}
+
 // Distance in representable floats between two finite values of any sign; UINT64_MAX where either is NaN.
 uint64_t ulp_distance(float a, float b);
 constexpr double kUnitRoundoff = 0x1p-24;  // of float

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "harness/crop.h"
 #include "kernels/edge_classification/oracle.h"
 
 namespace assay::edge_classification {
@@ -180,38 +181,20 @@ Case random_case(Random& r) {
 // ---- Smaller cases
 // ---------------------------------------------------------------------------------------------------
 
-Case cropped(const Case& c, Extent at, Extent size) {
+Case cropped_case(const Case& c, const Crop& crop) {
   EdgeParams params = c.params<EdgeParams>();
-  params.width = size.width, params.height = size.height;
+  params.width = crop.size.width, params.height = crop.size.height;
   Case smaller = c;
-  smaller.extent = size;
+  smaller.extent = crop.size;
   smaller.set_params(params);
-  const size_t row = size_t{size.width} * live_samples(c);
-  for (const char* port : {"materials", "gradients"}) {
-    const auto from = c.input<uint>(port);
-    std::vector<uint> part;
-    for (uint32_t y = at.height; !from.empty() && y < at.height + size.height; ++y) {
-      const auto cut = from.subspan((size_t{y} * c.extent.width + at.width) * live_samples(c), row);
-      part.insert(part.end(), cut.begin(), cut.end());
-    }
-    smaller.set_input(port, part);
-  }
+  for (const char* port : {"materials", "gradients"})
+    smaller.set_input(port, cropped(c.input<uint>(port), c.extent, crop, live_samples(c)));
   return smaller;
 }
 
 std::vector<Case> smaller_cases(const Case& c) {
   std::vector<Case> cases;
-  const auto [width, height] = c.extent;
-  if (width > 1) {
-    cases.push_back(cropped(c, {0, 0}, {width / 2, height}));
-    cases.push_back(cropped(c, {width / 2, 0}, {width - width / 2, height}));
-    cases.push_back(cropped(c, {0, 0}, {width - 1, height}));
-  }
-  if (height > 1) {
-    cases.push_back(cropped(c, {0, 0}, {width, height / 2}));
-    cases.push_back(cropped(c, {0, height / 2}, {width, height - height / 2}));
-    cases.push_back(cropped(c, {0, 0}, {width, height - 1}));
-  }
+  for (const Crop& crop : smaller_crops(c.extent)) cases.push_back(cropped_case(c, crop));
   return cases;
 }
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "harness/groups.h"
+#include "harness/oracle.h"
+
 namespace assay::edge_classification {
 
 uint32_t live_samples(const Case& c) { return std::clamp(c.params<EdgeParams>().samples, 1u, kMaxSamples); }
@@ -11,12 +14,6 @@ uint64_t gradients(const Case& c) { return c.params<EdgeParams>().gradients ? sa
 uint64_t tiles(const Case& c) { return tile_count(c.extent, kEdgeTileSide); }
 
 namespace {
-
-template <class T>
-Expected all_of(const std::vector<T>& elements) {
-  const auto bytes = std::as_bytes(std::span(elements));
-  return {.low = Bytes(bytes.begin(), bytes.end())};
-}
 
 struct View {
   EdgeParams params;
@@ -64,16 +61,14 @@ std::vector<uvec2> masks_of(const Case& c) {
   return masks;
 }
 
-// The fewest rows of at most 65,535 groups, equally filled; a group a tile.
+// A group a tile, in rows of at most 65,535.
 DispatchArgs args_for(uint64_t listed) {
-  uint64_t rows = 0, a_row = 0;
-  while (rows * 65535 < listed) ++rows;
-  while (rows * a_row < listed) ++a_row;
-  return {static_cast<uint>(a_row), static_cast<uint>(rows), 1};
+  const Groups groups = spread_groups(listed);
+  return {groups.x, listed ? groups.y : 0, 1};
 }
 
 Expected head(const std::vector<uint>& list) {
-  Expected expected = all_of(list);
+  Expected expected = expect_all(list);
   expected.live.emplace();
   if (!list.empty()) expected.live->push_back({0, list.size()});
   return expected;
@@ -87,11 +82,11 @@ Answer classify(const Case& c) {
   for (uint tile = 0; tile < masks.size(); ++tile) (masks[tile] == uvec2(0) ? plain : edges).push_back(tile);
   const std::vector<uint> counts = {static_cast<uint>(edges.size()), static_cast<uint>(plain.size())};
   const std::vector<DispatchArgs> args = {args_for(edges.size()), args_for(plain.size())};
-  return {{"edge_mask", all_of(masks)},
+  return {{"edge_mask", expect_all(masks)},
           {"edge_tiles", head(edges)},
           {"plain_tiles", head(plain)},
-          {"tile_counts", all_of(counts)},
-          {"args", all_of(args)}};
+          {"tile_counts", expect_all(counts)},
+          {"args", expect_all(args)}};
 }
 
 }  // namespace assay::edge_classification

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "harness/crop.h"
 #include "kernels/tile_classification/oracle.h"
 
 namespace assay::tile_classification {
@@ -195,19 +196,13 @@ Case random_case(Random& r) {
 // ---- Smaller cases
 // ---------------------------------------------------------------------------------------------------
 
-Case cropped(const Case& c, Extent at, Extent size) {
-  const auto from = c.input<uint>("features");
-  std::vector<uint> features;
-  for (uint32_t y = at.height; y < at.height + size.height; ++y) {
-    const auto row = from.subspan(size_t{y} * c.extent.width + at.width, size.width);
-    features.insert(features.end(), row.begin(), row.end());
-  }
+Case cropped_case(const Case& c, const Crop& crop) {
   Case smaller = c;
   auto params = c.params<ClassifyParams>();
-  params.width = size.width, params.height = size.height;
-  smaller.extent = size;
+  params.width = crop.size.width, params.height = crop.size.height;
+  smaller.extent = crop.size;
   smaller.set_params(params);
-  smaller.set_input("features", features);
+  smaller.set_input("features", cropped(c.input<uint>("features"), c.extent, crop));
   return smaller;
 }
 
@@ -224,26 +219,14 @@ Case without_row(const Case& c, size_t row) {
 
 std::vector<Case> smaller_cases(const Case& c) {
   std::vector<Case> cases;
-  const auto [width, height] = c.extent;
-  if (width > 1) {
-    const uint32_t half = width / 2;
-    cases.push_back(cropped(c, {0, 0}, {half, height}));
-    cases.push_back(cropped(c, {half, 0}, {width - half, height}));
-    cases.push_back(cropped(c, {0, 0}, {width - 1, height}));
-  }
-  if (height > 1) {
-    const uint32_t half = height / 2;
-    cases.push_back(cropped(c, {0, 0}, {width, half}));
-    cases.push_back(cropped(c, {0, half}, {width, height - half}));
-    cases.push_back(cropped(c, {0, 0}, {width, height - 1}));
-  }
+  for (const Crop& crop : smaller_crops(c.extent)) cases.push_back(cropped_case(c, crop));
   for (size_t row = live_workloads(c); row-- > 0;) cases.push_back(without_row(c, row));
   return cases;
 }
 
 }  // namespace
 
-Case case_of(Extent e, std::vector<uint> features) {
+Case case_of(Extent e, const std::vector<uint>& features) {
   Case c = frame_of(e);
   c.set_input("features", features);
   return c;

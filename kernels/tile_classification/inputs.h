@@ -14,7 +14,7 @@ Inputs inputs();
 std::vector<Mutant> mutants();
 
 // For hard.cpp: a case of the given features (row by row) that classifies by the frame's table.
-Case case_of(Extent, std::vector<uint> features);
+Case case_of(Extent, const std::vector<uint>& features);
 Case with_table(Case, const std::vector<Workload>&, uint passes);
 std::vector<HardCase> hard_cases();
 

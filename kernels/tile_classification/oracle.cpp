@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "harness/groups.h"
+#include "harness/oracle.h"
+
 namespace assay::tile_classification {
 
 uint32_t live_workloads(const Case& c) { return std::min(c.params<ClassifyParams>().workloads, kMaxWorkloads); }
@@ -10,12 +13,6 @@ uint32_t live_passes(const Case& c) { return std::min(c.params<ClassifyParams>()
 uint64_t tiles(const Case& c) { return tile_count(c.extent, kTileSide); }
 
 namespace {
-
-template <class T>
-Expected all_of(const std::vector<T>& elements) {
-  const auto bytes = std::as_bytes(std::span(elements));
-  return {.low = Bytes(bytes.begin(), bytes.end())};
-}
 
 // A tile's mask holds every feature that touches the tile.
 std::vector<uint> masks_of(const Case& c) {
@@ -61,13 +58,10 @@ std::vector<std::vector<uint>> lists_of(const Case& c, std::span<const Workload>
   return lists;
 }
 
-// The fewest planes of at most 65,535 tiles, equally filled.
+// Planes of at most 65,535 tiles, equally filled.
 DispatchArgs args_for(uint64_t listed, uint groups) {
-  uint64_t planes = 0;
-  while (planes * 65535 < listed) ++planes;
-  uint64_t tiles_a_plane = 0;
-  while (planes * tiles_a_plane < listed) ++tiles_a_plane;
-  return {groups, static_cast<uint>(tiles_a_plane), static_cast<uint>(planes)};
+  const Groups plane = spread_groups(listed);
+  return {groups, plane.x, listed ? plane.y : 0};
 }
 
 uint saturated(uint64_t groups) { return static_cast<uint>(std::min<uint64_t>(groups, UINT32_MAX)); }
@@ -81,7 +75,7 @@ Expected runs_of(const std::vector<std::vector<uint>>& lists, uint64_t room) {
     expected.live->push_back({w * room, lists[w].size()});
     entries.insert(entries.end(), lists[w].begin(), lists[w].end());
   }
-  expected.low = all_of(entries).low;
+  expected.low = expect_all(entries).low;
   return expected;
 }
 
@@ -106,11 +100,11 @@ Answer classify(const Case& c) {
   for (uint pass = 0; pass < live_passes(c); ++pass)
     statistics.push_back({saturated(masks.size() * groups), saturated(taken[pass] * groups),
                           saturated((masks.size() - taken[pass]) * groups)});
-  return {{"masks", all_of(masks)},
+  return {{"masks", expect_all(masks)},
           {"workload_tiles", runs_of(lists, masks.size())},
-          {"workload_counts", all_of(counts)},
-          {"workload_args", all_of(args)},
-          {"statistics", all_of(statistics)}};
+          {"workload_counts", expect_all(counts)},
+          {"workload_args", expect_all(args)},
+          {"statistics", expect_all(statistics)}};
 }
 
 }  // namespace assay::tile_classification

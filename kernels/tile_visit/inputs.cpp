@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "harness/groups.h"
 #include "kernels/tile_visit/oracle.h"
 
 namespace assay::tile_visit {
@@ -19,8 +20,8 @@ struct Lists {
 uint count_tiles(Extent e) { return static_cast<uint>(tile_count(e, kTileSide)); }
 
 DispatchArgs dispatch(uint listed, uint groups_per_tile) {
-  const uint planes = ceil_div(listed, kMaxGroups);
-  return {groups_per_tile, planes ? ceil_div(listed, planes) : 0, planes};
+  const Groups plane = spread_groups(listed);
+  return {groups_per_tile, plane.x, listed ? plane.y : 0};
 }
 
 // What lies behind a list is tile 0: a group that works there is noticed.
