@@ -1,5 +1,6 @@
 // Case files survive the round trip, and broken ones are refused in one line that names file and place.
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 #include <filesystem>
 #include <fstream>
@@ -81,6 +82,19 @@ TEST(CaseFile, RoundTrip) {
 TEST(CaseFile, EqualWordsTakeOneEntry) {
   const Folder folder;
   EXPECT_NE(written(folder.path / "a.case").find("\"00000001 00000000*3 ffffffff 00000007\""), std::string::npos);
+}
+
+TEST(CaseFile, AnyWordsSurvive) {
+  const Folder folder;
+  EXPECT_TRUE(rc::check("words of any value, with runs", [&](std::vector<uint32_t> words, uint8_t run) {
+    if (!words.empty()) words.insert(words.end(), run, words.back());
+    Case c = sample();
+    c.extent = {static_cast<uint32_t>(words.size()), 1};
+    c.set_input("values", words);
+    c.set_input("depth", std::vector<uint16_t>(words.size(), 7));
+    check::save_case(folder.path / "any.case", kernel(), c);
+    RC_ASSERT(check::load_case(folder.path / "any.case", kernel()).inputs == c.inputs);
+  }));
 }
 
 TEST(CaseFile, BrokenFilesAreRefused) {

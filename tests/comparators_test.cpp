@@ -1,6 +1,8 @@
 // Each comparator accepts what it must and, above all, rejects what it must.
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -108,6 +110,18 @@ TEST(Comparators, SameSetIgnoresOrderButNotMultiplicity) {
   const Verdict v = compare(same_set("p", ""), kWord, want, {3, 3, 1, 2});
   EXPECT_EQ(v.violations, 1u);
   EXPECT_EQ(v.first, "elements 0 to 3 as a set: expected 2, got 3; 1 of 4 differ");
+}
+
+TEST(Comparators, SameSetTakesEveryOrderAndNoChange) {
+  EXPECT_TRUE(
+      rc::check("a shuffled set passes, one changed element fails", [](std::vector<uint32_t> want, uint32_t at) {
+        RC_PRE(!want.empty());
+        std::vector<uint32_t> got = want;
+        std::ranges::sort(got);
+        RC_ASSERT(compare(same_set("p", ""), kWord, want, got).violations == 0);
+        got[at % got.size()] ^= 1u << at % 32;
+        RC_ASSERT(compare(same_set("p", ""), kWord, want, got).violations == 1);
+      }));
 }
 
 TEST(Comparators, SameSetKeepsRunsApart) {

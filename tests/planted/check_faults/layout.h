@@ -8,7 +8,7 @@ struct FaultParams {
 };
 
 struct Pair {
-  uint key;    // 3 * value + 1
+  uint key;  // 3 * value + 1
   float half_value;
 };
 
