@@ -32,7 +32,7 @@ mapfile -t mutants < <(cat "$shader" "${read[@]}" | grep -oE '\bMUTANT_[0-9]+' |
 for n in "${mutants[@]}"; do compile "$n" "-DMUTANT_$n"; done
 
 {
-  echo '#include "harness/device/device.h"'
+  echo '#include "harness/device/shader.h"'
   for n in 0 "${mutants[@]}"; do
     echo "static const uint32_t words_$n[] = {"
     od -An -v -tx4 -w32 "$work/$n.spv" | sed -E 's/ ([0-9a-f]{8})/0x\1,/g'

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/device/shader.h"
 #include "harness/kernel.h"
 
 namespace assay::device {
@@ -73,12 +74,6 @@ std::string missing(const Info&, const Variant&);
 
 // ---- Shaders -----------------------------------------------------------------------------------------------------------
 
-struct Shader {  // one SPIR-V module, compiled at build time
-  const char* kernel;
-  const char* file;
-  uint32_t mutant;  // 0: the shader as written
-  std::span<const uint32_t> words;
-};
 std::span<const Shader> all_shaders();  // generated
 // The file with MUTANT_n defined, or as written where it has no such mutant. Throws std::invalid_argument.
 const Shader& shader(const std::string& kernel, const std::string& file, uint32_t mutant = 0);
