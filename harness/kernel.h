@@ -34,12 +34,32 @@ constexpr uint64_t pixel_count(Extent e) { return uint64_t{e.width} * e.height; 
 constexpr Extent tiles_of(Extent e, uint32_t side) { return {ceil_div(e.width, side), ceil_div(e.height, side)}; }
 constexpr uint64_t tile_count(Extent e, uint32_t side) { return pixel_count(tiles_of(e, side)); }
 
-// ---- A case: what one run of a kernel starts from --------------------------------------------------------------------
+// ---- A case: what one run of a kernel starts from
+// --------------------------------------------------------------------
 
 enum class Format {
-  r8_unorm, r8_uint, rg8_unorm, rgba8_unorm, rgba8_srgb, rgba8_uint, r16_unorm, r16_float, rg16_snorm, rg16_unorm,
-  rg16_float, rgba16_float, rgba16_uint, r32_uint, r32_float, rg32_uint, rg32_float, rgba32_uint, rgba32_float,
-  r11g11b10_float, rgb9e5_float, d32_float,
+  r8_unorm,
+  r8_uint,
+  rg8_unorm,
+  rgba8_unorm,
+  rgba8_srgb,
+  rgba8_uint,
+  r16_unorm,
+  r16_float,
+  rg16_snorm,
+  rg16_unorm,
+  rg16_float,
+  rgba16_float,
+  rgba16_uint,
+  r32_uint,
+  r32_float,
+  rg32_uint,
+  rg32_float,
+  rgba32_uint,
+  rgba32_float,
+  r11g11b10_float,
+  rgb9e5_float,
+  d32_float,
 };
 uint32_t bytes_per_texel(Format);
 const char* name_of(Format);
@@ -54,20 +74,20 @@ struct Texture {
 // What an oracle may ask of the device whose answer it judges.
 struct DeviceTraits {
   uint32_t subgroup_width = 8;
-  uint32_t sub_pixel_bits = 8;   // rasteriser's vertex grid, subPixelPrecisionBits
-  uint32_t sub_texel_bits = 8;   // filter weights, subTexelPrecisionBits
-  uint32_t mipmap_bits = 8;      // level of detail, mipmapPrecisionBits
+  uint32_t sub_pixel_bits = 8;  // rasteriser's vertex grid, subPixelPrecisionBits
+  uint32_t sub_texel_bits = 8;  // filter weights, subTexelPrecisionBits
+  uint32_t mipmap_bits = 8;     // level of detail, mipmapPrecisionBits
 };
 
 struct Case {
   std::string name = {};
   uint64_t seed = 0;
   Extent extent = {};
-  Bytes parameters = {};                                  // the kernel's parameter struct
-  std::map<std::string, Bytes> inputs = {};               // a read or updated port's elements, or an image's rows
+  Bytes parameters = {};                     // the kernel's parameter struct
+  std::map<std::string, Bytes> inputs = {};  // a read or updated port's elements, or an image's rows
   std::map<std::string, std::vector<Texture>> textures = {};
-  DeviceTraits device = {};                               // filled in by the harness before the oracle runs
-  bool judge_all = false;                                 // nightly, set by the harness: no sampling of large extents
+  DeviceTraits device = {};  // filled in by the harness before the oracle runs
+  bool judge_all = false;    // nightly, set by the harness: no sampling of large extents
 
   template <class T>
   T params() const {
@@ -104,7 +124,8 @@ inline Count fixed(uint64_t n) {
   return [n](const Case&) { return n; };
 }
 
-// ---- Ports: the typed resources of a kernel --------------------------------------------------------------------------
+// ---- Ports: the typed resources of a kernel
+// --------------------------------------------------------------------------
 
 enum class Use { reads, writes, updates };
 enum class PortKind { buffer, image, textures };
@@ -116,10 +137,10 @@ struct Port {
   std::string name;
   Use use = Use::reads;
   PortKind kind = PortKind::buffer;
-  Layout layout = {};                    // of a buffer's element
-  Count count = {};                      // elements of a buffer, textures in an array of them
-  Format format = Format::r32_uint;      // of an image
-  std::optional<Format> view = {};       // a second format of equal size that shaders see instead of `format`
+  Layout layout = {};                              // of a buffer's element
+  Count count = {};                                // elements of a buffer, textures in an array of them
+  Format format = Format::r32_uint;                // of an image
+  std::optional<Format> view = {};                 // a second format of equal size that shaders see instead of `format`
   std::function<Extent(const Case&)> extent = {};  // of an image; the case's where empty
   std::vector<std::string> producers = {};
   // Variants that have the port; empty: all. To the others it does not exist: not allocated for their sake, not bound,
@@ -129,7 +150,10 @@ struct Port {
 
 template <class T>
 Port reads(std::string name, Count n, std::vector<std::string> producers = {}) {
-  return {.name = std::move(name), .use = Use::reads, .layout = layout_of<T>(), .count = std::move(n),
+  return {.name = std::move(name),
+          .use = Use::reads,
+          .layout = layout_of<T>(),
+          .count = std::move(n),
           .producers = std::move(producers)};
 }
 template <class T>
@@ -138,22 +162,32 @@ Port writes(std::string name, Count n) {
 }
 template <class T>
 Port updates(std::string name, Count n, std::vector<std::string> producers = {}) {
-  return {.name = std::move(name), .use = Use::updates, .layout = layout_of<T>(), .count = std::move(n),
+  return {.name = std::move(name),
+          .use = Use::updates,
+          .layout = layout_of<T>(),
+          .count = std::move(n),
           .producers = std::move(producers)};
 }
 inline Port reads_image(std::string name, Format f, std::vector<std::string> producers = {}) {
-  return {.name = std::move(name), .use = Use::reads, .kind = PortKind::image, .format = f,
+  return {.name = std::move(name),
+          .use = Use::reads,
+          .kind = PortKind::image,
+          .format = f,
           .producers = std::move(producers)};
 }
 inline Port writes_image(std::string name, Format f) {
   return {.name = std::move(name), .use = Use::writes, .kind = PortKind::image, .format = f};
 }
 inline Port reads_textures(std::string name, uint64_t slots, std::vector<std::string> producers = {}) {
-  return {.name = std::move(name), .use = Use::reads, .kind = PortKind::textures, .count = fixed(slots),
+  return {.name = std::move(name),
+          .use = Use::reads,
+          .kind = PortKind::textures,
+          .count = fixed(slots),
           .producers = std::move(producers)};
 }
 
-// ---- Passes ----------------------------------------------------------------------------------------------------------
+// ---- Passes
+// ----------------------------------------------------------------------------------------------------------
 
 // A compute pass. `groups` for a direct one; `indirect` names a port of DispatchArgs, `first_args` its entry.
 // With `repeat` the pass runs once a row of a table: the row number is the shader's `row`, and is added to first_args.
@@ -165,7 +199,11 @@ struct Dispatch {
   Count repeat = {};
 };
 
-enum class Cull { none, back, front };  // counter-clockwise in framebuffer coordinates of glTF's right-handed world faces front
+enum class Cull {
+  none,
+  back,
+  front
+};  // counter-clockwise in framebuffer coordinates of glTF's right-handed world faces front
 enum class Compare { always, less, greater, greater_equal, equal };
 enum class Blend { none, over, add };
 
@@ -204,7 +242,8 @@ struct Clear {
 
 using Pass = std::variant<Dispatch, Draw, Clear>;
 
-// ---- Bounds ----------------------------------------------------------------------------------------------------------
+// ---- Bounds
+// ----------------------------------------------------------------------------------------------------------
 
 enum class Judge { exact, ulps, within, same_set, between };
 
@@ -223,7 +262,9 @@ struct Bound {
   std::string reason;
   std::optional<Unpack> unpack = {};
 };
-inline Bound exact(std::string port, std::string reason) { return {{std::move(port)}, Judge::exact, 0, std::move(reason)}; }
+inline Bound exact(std::string port, std::string reason) {
+  return {{std::move(port)}, Judge::exact, 0, std::move(reason)};
+}
 inline Bound ulps(std::string port, double n, std::string reason) {
   return {{std::move(port)}, Judge::ulps, n, std::move(reason)};
 }
@@ -241,12 +282,12 @@ inline Bound between(std::vector<std::string> ports, std::string reason) {
 struct Expected {
   // exact, ulps, within, same_set: the elements, one a live element in order. between: lowest and highest admissible
   // element, side by side ports joined, alternative after alternative.
-  Bytes low = {}, high = {};                  // `high` only for between
-  // between: alternatives of the i-th judged element are first[i] .. first[i+1]. More than one is undecided; alternatives
-  // whose low and high differ in a float member count as one (a rounding interval), those that differ in an integer
-  // member are undecided too.
+  Bytes low = {}, high = {};  // `high` only for between
+  // between: alternatives of the i-th judged element are first[i] .. first[i+1]. More than one is undecided;
+  // alternatives whose low and high differ in a float member count as one (a rounding interval), those that differ in
+  // an integer member are undecided too.
   std::vector<uint32_t> first = {};
-  std::vector<uint64_t> judged = {};          // which elements were judged, ascending; empty: all live ones
+  std::vector<uint64_t> judged = {};  // which elements were judged, ascending; empty: all live ones
   struct Run {
     uint64_t first, count;
   };
@@ -256,11 +297,21 @@ struct Expected {
 };
 using Answer = std::map<std::string, Expected>;  // by the bound's first port
 
-// ---- Variants, inputs, cost, kernel ----------------------------------------------------------------------------------
+// ---- Variants, inputs, cost, kernel
+// ----------------------------------------------------------------------------------
 
 enum class Feature {
-  subgroup_ballot, subgroup_arithmetic, subgroup_shuffle, subgroup_clustered, primitive_id, draw_indirect_count,
-  int64, image_int64_atomics, float16, descriptor_indexing, forward_progress,
+  subgroup_ballot,
+  subgroup_arithmetic,
+  subgroup_shuffle,
+  subgroup_clustered,
+  primitive_id,
+  draw_indirect_count,
+  int64,
+  image_int64_atomics,
+  float16,
+  descriptor_indexing,
+  forward_progress,
 };
 const char* name_of(Feature);
 
@@ -276,16 +327,16 @@ struct Variant {
   std::vector<Feature> needs = {};
   uint32_t subgroup_min = 1, subgroup_max = 128;
   std::optional<std::vector<Bound>> bounds = {};  // in place of the kernel's
-  bool baseline = false;  // timed and its errors shown, but held only to memory safety
-  std::string note = {};  // one line: the idea
+  bool baseline = false;                          // timed and its errors shown, but held only to memory safety
+  std::string note = {};                          // one line: the idea
 };
 
 // The generator's source of randomness. Every named branch is counted; the check fails where one starves.
 class Random;
 
 struct HardCase {
-  std::string name;    // after what it hits
-  std::string why;     // why that is hard, one line
+  std::string name;  // after what it hits
+  std::string why;   // why that is hard, one line
   std::function<Case()> make;
   bool nightly = false;
 };
@@ -315,13 +366,13 @@ struct FrameInputs {
   Extent extent = {};
   SceneCounts scene = {};
   float near_plane = 0.1f;
-  uint32_t view = 0;   // the debug view asked for (kernels/debug_view/layout.h)
+  uint32_t view = 0;  // the debug view asked for (kernels/debug_view/layout.h)
   uint32_t frame = 0;
 };
 
 struct Kernel {
   std::string name;
-  std::string source;          // where the technique comes from
+  std::string source;  // where the technique comes from
   std::string default_variant;
   Layout params = {};
   std::vector<Port> ports;
@@ -333,7 +384,8 @@ struct Kernel {
   std::function<Cost(const Case&)> cost;
   std::function<Case(Extent)> typical;  // the benchmark's input at an extent
   std::vector<Extent> extents;          // benchmarked, the first is CI's
-  std::function<Case(const FrameInputs&)> frame = {};  // parameters and producerless inputs in the frame; empty: not in it
+  std::function<Case(const FrameInputs&)> frame =
+      {};                             // parameters and producerless inputs in the frame; empty: not in it
   double undecided_limit = 1e-4;      // share of elements judged by `between` in random trials that may be undecided
   std::string undecided_reason = {};  // why it is another than the rule's 1e-4
 };

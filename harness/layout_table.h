@@ -1,4 +1,5 @@
-// Names, offsets, sizes and scalar types of a struct shared with GLSL: what comparators, diffs and the layout test read.
+// Names, offsets, sizes and scalar types of a struct shared with GLSL: what comparators, diffs and the layout test
+// read.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +23,8 @@ struct Field {
   Scalar scalar = Scalar::u32;
 };
 
-// An element of a buffer: its stride in bytes and its members in order. A bare scalar or vector has one member named "".
+// An element of a buffer: its stride in bytes and its members in order. A bare scalar or vector has one member named
+// "".
 struct Layout {
   std::string name;
   uint32_t stride = 0;
@@ -54,7 +56,9 @@ struct Components<glm::mat<C, R, S, Q>> {
 };
 
 template <class T>
-concept SharedStruct = requires(const T* t) { shared_layout(t); };
+concept SharedStruct = requires(const T* t) {
+  shared_layout(t);
+};
 
 template <class T>
 Layout layout_of() {
@@ -76,8 +80,8 @@ void append_field(Layout& to, const std::string& name, uint32_t offset) {
         append_field<E>(to, name + "[" + std::to_string(i) + "]", offset + i * static_cast<uint32_t>(sizeof(E)));
     } else {
       using C = Components<E>;
-      to.fields.push_back({name, offset, C::count * static_cast<uint32_t>(std::extent_v<T>),
-                           scalar_of<typename C::type>()});
+      to.fields.push_back(
+          {name, offset, C::count * static_cast<uint32_t>(std::extent_v<T>), scalar_of<typename C::type>()});
     }
   } else if constexpr (SharedStruct<T>) {
     for (const Field& f : layout_of<T>().fields)
@@ -101,12 +105,12 @@ void append_field(Layout& to, const std::string& name, uint32_t offset) {
 #define ASSAY_SIZE(T, m) +sizeof(T::m)
 
 // Lists the members of T in order, in T's own namespace. A forgotten member or hidden padding does not compile.
-#define SHARED_LAYOUT(T, ...)                                                                             \
-  static_assert(std::is_trivially_copyable_v<T> && std::is_standard_layout_v<T>);                         \
+#define SHARED_LAYOUT(T, ...)                                                                                 \
+  static_assert(std::is_trivially_copyable_v<T> && std::is_standard_layout_v<T>);                             \
   static_assert(sizeof(T) == 0 ASSAY_EACH(ASSAY_SIZE, T, __VA_ARGS__), #T ": list every member, no padding"); \
-  inline ::assay::Layout shared_layout(const T*) {                                                        \
-    ::assay::Layout l{#T, sizeof(T), {}};                                                                 \
-    ASSAY_EACH(ASSAY_APPEND, T, __VA_ARGS__)                                                              \
-    return l;                                                                                             \
-  }                                                                                                       \
+  inline ::assay::Layout shared_layout(const T*) {                                                            \
+    ::assay::Layout l{#T, sizeof(T), {}};                                                                     \
+    ASSAY_EACH(ASSAY_APPEND, T, __VA_ARGS__)                                                                  \
+    return l;                                                                                                 \
+  }                                                                                                           \
   static_assert(true)

@@ -60,11 +60,12 @@ class Random {
   uint64_t seed_;
 };
 
-// An extent for a random case: a third are tiny (1 to 40 px a side), a third to a half span over 4 tiles of `tile` pixels
-// a side, one in sixteen holds over 100,000 pixels; odd sizes prevail. Branches: extent_tiny, extent_middle,
+// An extent for a random case: a third are tiny (1 to 40 px a side), a third to a half span over 4 tiles of `tile`
+// pixels a side, one in sixteen holds over 100,000 pixels; odd sizes prevail. Branches: extent_tiny, extent_middle,
 // extent_tiles, extent_large.
 Extent random_extent(Random&, uint32_t tile);
-inline const std::vector<std::string> kExtentBranches = {"extent_tiny", "extent_middle", "extent_tiles", "extent_large"};
+inline const std::vector<std::string> kExtentBranches = {"extent_tiny", "extent_middle", "extent_tiles",
+                                                         "extent_large"};
 
 // An oracle's answer for a port of which every element is live.
 template <class T>

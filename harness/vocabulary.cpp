@@ -15,17 +15,17 @@ struct FormatRow {
   uint32_t bytes;
 };
 constexpr FormatRow kFormats[] = {
-    {Format::r8_unorm, "r8_unorm", 1},           {Format::r8_uint, "r8_uint", 1},
-    {Format::rg8_unorm, "rg8_unorm", 2},         {Format::rgba8_unorm, "rgba8_unorm", 4},
-    {Format::rgba8_srgb, "rgba8_srgb", 4},       {Format::rgba8_uint, "rgba8_uint", 4},
-    {Format::r16_unorm, "r16_unorm", 2},         {Format::r16_float, "r16_float", 2},
-    {Format::rg16_snorm, "rg16_snorm", 4},       {Format::rg16_unorm, "rg16_unorm", 4},
-    {Format::rg16_float, "rg16_float", 4},       {Format::rgba16_float, "rgba16_float", 8},
-    {Format::rgba16_uint, "rgba16_uint", 8},     {Format::r32_uint, "r32_uint", 4},
-    {Format::r32_float, "r32_float", 4},         {Format::rg32_uint, "rg32_uint", 8},
-    {Format::rg32_float, "rg32_float", 8},       {Format::rgba32_uint, "rgba32_uint", 16},
-    {Format::rgba32_float, "rgba32_float", 16},  {Format::r11g11b10_float, "r11g11b10_float", 4},
-    {Format::rgb9e5_float, "rgb9e5_float", 4},   {Format::d32_float, "d32_float", 4},
+    {Format::r8_unorm, "r8_unorm", 1},          {Format::r8_uint, "r8_uint", 1},
+    {Format::rg8_unorm, "rg8_unorm", 2},        {Format::rgba8_unorm, "rgba8_unorm", 4},
+    {Format::rgba8_srgb, "rgba8_srgb", 4},      {Format::rgba8_uint, "rgba8_uint", 4},
+    {Format::r16_unorm, "r16_unorm", 2},        {Format::r16_float, "r16_float", 2},
+    {Format::rg16_snorm, "rg16_snorm", 4},      {Format::rg16_unorm, "rg16_unorm", 4},
+    {Format::rg16_float, "rg16_float", 4},      {Format::rgba16_float, "rgba16_float", 8},
+    {Format::rgba16_uint, "rgba16_uint", 8},    {Format::r32_uint, "r32_uint", 4},
+    {Format::r32_float, "r32_float", 4},        {Format::rg32_uint, "rg32_uint", 8},
+    {Format::rg32_float, "rg32_float", 8},      {Format::rgba32_uint, "rgba32_uint", 16},
+    {Format::rgba32_float, "rgba32_float", 16}, {Format::r11g11b10_float, "r11g11b10_float", 4},
+    {Format::rgb9e5_float, "rgb9e5_float", 4},  {Format::d32_float, "d32_float", 4},
 };
 
 const FormatRow& row_of(Format f) {
@@ -56,17 +56,28 @@ const char* name_of(Format f) { return row_of(f).name; }
 
 const char* name_of(Feature f) {
   switch (f) {
-    case Feature::subgroup_ballot: return "subgroup_ballot";
-    case Feature::subgroup_arithmetic: return "subgroup_arithmetic";
-    case Feature::subgroup_shuffle: return "subgroup_shuffle";
-    case Feature::subgroup_clustered: return "subgroup_clustered";
-    case Feature::primitive_id: return "primitive_id";
-    case Feature::draw_indirect_count: return "draw_indirect_count";
-    case Feature::int64: return "int64";
-    case Feature::image_int64_atomics: return "image_int64_atomics";
-    case Feature::float16: return "float16";
-    case Feature::descriptor_indexing: return "descriptor_indexing";
-    case Feature::forward_progress: return "forward_progress";
+    case Feature::subgroup_ballot:
+      return "subgroup_ballot";
+    case Feature::subgroup_arithmetic:
+      return "subgroup_arithmetic";
+    case Feature::subgroup_shuffle:
+      return "subgroup_shuffle";
+    case Feature::subgroup_clustered:
+      return "subgroup_clustered";
+    case Feature::primitive_id:
+      return "primitive_id";
+    case Feature::draw_indirect_count:
+      return "draw_indirect_count";
+    case Feature::int64:
+      return "int64";
+    case Feature::image_int64_atomics:
+      return "image_int64_atomics";
+    case Feature::float16:
+      return "float16";
+    case Feature::descriptor_indexing:
+      return "descriptor_indexing";
+    case Feature::forward_progress:
+      return "forward_progress";
   }
   throw std::logic_error("a feature without a name");
 }
@@ -96,10 +107,14 @@ const std::vector<Bound>& bounds_of(const Kernel& k, const Variant& v) { return 
 Extent random_extent(Random& r, uint32_t tile) {
   const auto between = [&](uint32_t low, uint32_t high) { return low + r.rng.below(high - low + 1); };
   switch (r.branch({{"extent_tiny", 0.34}, {"extent_middle", 0.2}, {"extent_tiles", 0.4}, {"extent_large", 0.06}})) {
-    case 0: return {between(1, 40), between(1, 40)};
-    case 1: return {between(1, 4 * tile), between(1, 4 * tile)};
-    case 2: return {between(4 * tile + 1, 6 * tile), between(4 * tile + 1, 6 * tile)};
-    default: return {between(330, 420), between(310, 400)};
+    case 0:
+      return {between(1, 40), between(1, 40)};
+    case 1:
+      return {between(1, 4 * tile), between(1, 4 * tile)};
+    case 2:
+      return {between(4 * tile + 1, 6 * tile), between(4 * tile + 1, 6 * tile)};
+    default:
+      return {between(330, 420), between(310, 400)};
   }
 }
 

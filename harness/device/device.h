@@ -17,7 +17,8 @@
 
 namespace assay::device {
 
-// ---- Errors: one line each, what and where -----------------------------------------------------------------------------
+// ---- Errors: one line each, what and where
+// -----------------------------------------------------------------------------
 
 struct Error : std::runtime_error {  // a failed call: expression, result name, file and line
   using std::runtime_error::runtime_error;
@@ -32,19 +33,21 @@ struct NoSuchDevice : std::runtime_error {  // lists what there is
   using std::runtime_error::runtime_error;
 };
 
-// ---- Devices -----------------------------------------------------------------------------------------------------------
+// ---- Devices
+// -----------------------------------------------------------------------------------------------------------
 
 struct Info {
   uint32_t index = 0;
-  std::string name, uuid, type, driver, driver_info, api;  // uuid: 32 hex digits; type: cpu, integrated, discrete, virtual
+  std::string name, uuid, type, driver, driver_info,
+      api;  // uuid: 32 hex digits; type: cpu, integrated, discrete, virtual
   uint32_t subgroup_min = 0, subgroup_max = 0;
   DeviceTraits traits = {};
   std::set<Feature> features = {};
   uint64_t max_buffer_range = 0, shared_memory = 0, memory_bytes = 0;
   uint32_t max_groups[3] = {};
-  double timestamp_ns = 0;      // nanoseconds a tick; 0: no timestamps
-  bool second_queue = false;    // a queue beside the first, for asynchronous compute
-  std::string missing = {};     // why Assay cannot run on it at all; empty if it can
+  double timestamp_ns = 0;    // nanoseconds a tick; 0: no timestamps
+  bool second_queue = false;  // a queue beside the first, for asynchronous compute
+  std::string missing = {};   // why Assay cannot run on it at all; empty if it can
 };
 
 // Every physical device, in the loader's order. Throws Error where there is no Vulkan loader.
@@ -53,7 +56,8 @@ std::vector<Info> list();
 enum class Validation { off, core, sync, gpuav };
 
 struct Options {
-  std::string select = {};  // index, UUID (a prefix of 8 digits or more), or part of a name; empty: the CPU device (lavapipe)
+  std::string select =
+      {};  // index, UUID (a prefix of 8 digits or more), or part of a name; empty: the CPU device (lavapipe)
   Validation validation = Validation::off;
 };
 
@@ -72,13 +76,15 @@ std::vector<std::string> validation_messages(Device&);
 // Why the variant cannot run here ("needs forward_progress", "subgroup width 8 outside 16..64"); empty if it can.
 std::string missing(const Info&, const Variant&);
 
-// ---- Shaders -----------------------------------------------------------------------------------------------------------
+// ---- Shaders
+// -----------------------------------------------------------------------------------------------------------
 
 std::span<const Shader> all_shaders();  // generated
 // The file with MUTANT_n defined, or as written where it has no such mutant. Throws std::invalid_argument.
 const Shader& shader(const std::string& kernel, const std::string& file, uint32_t mutant = 0);
 
-// ---- Resources ---------------------------------------------------------------------------------------------------------
+// ---- Resources
+// ---------------------------------------------------------------------------------------------------------
 
 constexpr uint64_t kGuardBytes = 4096;  // behind the payload, inside the bound range
 
@@ -102,15 +108,24 @@ using Ports = std::map<std::string, Owned>;  // by port name; the parameter bloc
 // input is missing, has another size, or belongs to no port.
 Ports make_ports(Device&, const Kernel&, const Case&, Ports have = {}, const Variant* variant = nullptr);
 
-// ---- Commands: recorded as data, so that a checker can read them before submission ---------------------------------------
+// ---- Commands: recorded as data, so that a checker can read them before submission
+// ---------------------------------------
 
 // Where a command touches memory; a barrier orders scopes.
-enum Scope : uint32_t { kCompute = 1, kIndirect = 2, kGraphics = 4, kAttachment = 8, kTransfer = 16, kHost = 32, kAll = 63 };
+enum Scope : uint32_t {
+  kCompute = 1,
+  kIndirect = 2,
+  kGraphics = 4,
+  kAttachment = 8,
+  kTransfer = 16,
+  kHost = 32,
+  kAll = 63
+};
 
 struct Use {
   std::string port;
   const Resource* resource = nullptr;
-  uint64_t offset = 0, bytes = 0;  // the bound range
+  uint64_t offset = 0, bytes = 0;      // the bound range
   bool reads = false, writes = false;  // reflected from the SPIR-V, or fixed-function
   uint32_t scope = kCompute;
 };
@@ -118,9 +133,9 @@ struct Use {
 class Recorder;
 struct Command {
   enum class Kind { dispatch, draw, clear, barrier, timestamp } kind;
-  std::string label;             // "tile_classification.atomic gather.comp"
+  std::string label;  // "tile_classification.atomic gather.comp"
   std::vector<Use> uses = {};
-  uint32_t from = 0, to = 0;     // of a barrier: scopes before and after
+  uint32_t from = 0, to = 0;  // of a barrier: scopes before and after
   std::function<void(Recorder&)> encode = {};
 };
 Command barrier(uint32_t from = kAll, uint32_t to = kAll);
@@ -138,7 +153,8 @@ std::vector<std::map<std::string, uint32_t>> combinations(const Variant&);
 std::string label_of(const Variant&, const std::map<std::string, uint32_t>& constants);  // "reduce[WIDTH=4]"
 
 // The variant's passes over these resources, a barrier between each two. Pipelines are cached in the device; each
-// variant's SPIR-V is first compared with the ports (layout_errors), and a mismatch throws before anything is dispatched.
+// variant's SPIR-V is first compared with the ports (layout_errors), and a mismatch throws before anything is
+// dispatched.
 std::vector<Command> lower(Device&, const Plan&, const Case&, const Ports&);
 // Differences between the variant's reflected SPIR-V and the kernel's ports and layouts; empty if none.
 std::vector<std::string> layout_errors(const Kernel&, const Variant&);
@@ -151,14 +167,14 @@ struct Stamp {
 };
 struct Timing {
   std::vector<Stamp> stamps;
-  double cpu_ns = 0;   // process CPU time from submit to the fence
+  double cpu_ns = 0;  // process CPU time from submit to the fence
   double wall_ns = 0;
 };
 // Records, submits and waits, 60 s at most. `queue` 1 is the second queue where there is one.
 Timing run(Device&, std::span<const Command>, uint32_t queue = 0);
 
-// ---- Test hook: the next `after`-th checked call whose expression contains `call` returns `result` (a VkResult). ---------
-// Present in builds with ASSAY_TESTS only.
+// ---- Test hook: the next `after`-th checked call whose expression contains `call` returns `result` (a VkResult).
+// --------- Present in builds with ASSAY_TESTS only.
 void inject_failure(const std::string& call, int32_t result, uint32_t after = 0);
 
 }  // namespace assay::device

@@ -1,4 +1,4 @@
-// What the frame's debug view shows of a pixel (seed 000, debugging visualisations).
+// What the frame's debug view shows of a pixel (Lazarek, Hammer 2025, debugging visualisations).
 #ifndef FORMATS_DEBUG_VIEW_H
 #define FORMATS_DEBUG_VIEW_H
 #include "harness/shared.h"

@@ -1,4 +1,4 @@
-// Feature bits of a pixel, and of the 32x32 tile that it touches (seed 000, tile classification).
+// Feature bits of a pixel, and of the 32x32 tile that it touches (Lazarek, Hammer 2025, tile classification).
 #ifndef FORMATS_FEATURES_H
 #define FORMATS_FEATURES_H
 #include "harness/shared.h"

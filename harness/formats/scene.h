@@ -31,9 +31,9 @@ struct SurfaceRecord {
   vec4 world_z;
   uint material;
   uint flags;
-  uint first_index;     // of its first triangle in the merged index buffer
+  uint first_index;  // of its first triangle in the merged index buffer
   uint triangle_count;
-  uint vertex_offset;   // added to every index
+  uint vertex_offset;  // added to every index
   uint mesh;
 };
 
@@ -50,7 +50,7 @@ struct MaterialRecord {
   uint base_texture;
   float alpha_cutoff;
   uint flags;
-  uint features;     // bits of formats/features.h
+  uint features;  // bits of formats/features.h
 };
 
 // VkDrawIndexedIndirectCommand; first_instance is the index of the first surface.

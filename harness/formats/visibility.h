@@ -1,4 +1,4 @@
-// The visibility buffer of seed 000: 64 bits a pixel, R32G32_UINT.
+// The visibility buffer (Lazarek, Hammer 2025): 64 bits a pixel, R32G32_UINT.
 // x = triangle index within its mesh, before culling.
 // y = surface (instance) index in bits 0..29, bit 30 hardware-instanced, bit 31 winding flipped.
 // No surface: both all ones.

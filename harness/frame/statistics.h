@@ -1,4 +1,4 @@
-// Workgroups that tile classification saved, as seed 000 prints them.
+// Workgroups that tile classification saved, as Lazarek and Hammer print them.
 #pragma once
 #include <cstdint>
 #include <map>

@@ -1,5 +1,5 @@
 // For passes that know the features of their pixels: OR them into the tile masks while the frame goes on, with one atomic
-// a subgroup and tile instead of one a pixel (seed 000, with the OR over the matching lanes that its slide lacks).
+// a subgroup and tile instead of one a pixel (Lazarek, Hammer 2025, with the OR over the matching lanes that its slide lacks).
 // The includer declares the masks first: UPDATES(n, uint, masks); #define TILE_MASKS masks
 #ifndef HARNESS_GLSL_TILE_OR
 #define HARNESS_GLSL_TILE_OR

@@ -29,7 +29,7 @@ std::vector<Pass> with_workloads(Dispatch paint) {
 Kernel describe() {
   return {
       .name = "debug_view",
-      .source = "Lazarek, Hammer 2025 (seed 000): debug visualisations, indirect dispatch over workload tiles",
+      .source = "Lazarek, Hammer 2025: debug visualisations, indirect dispatch over workload tiles",
       .default_variant = "pixel",
       .params = layout_of<ViewParams>(),
       .ports = {reads_image("visibility", Format::rg32_uint, {"visibility.visibility"}),

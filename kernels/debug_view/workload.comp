@@ -1,5 +1,5 @@
 #version 460
-// Dispatched once a workload, indirectly, over the tiles of its list: seed 000's picture of which shader runs where. The
+// Dispatched once a workload, indirectly, over the tiles of its list: Lazarek and Hammer's picture of which shader runs where. The
 // tile's pixels are shared among its groups, however many those are.
 #include "kernels/debug_view/common.glsl"
 

@@ -27,7 +27,7 @@ Kernel describe() {
                                   Dispatch{"args.comp", once}};
   return {
       .name = "edge_classification",
-      .source = "Seed 001 (Pettineo 2016), MSAA Edge Detection and Tile Classification",
+      .source = "Pettineo 2016, MSAA Edge Detection and Tile Classification",
       .default_variant = "ballot",
       .params = layout_of<EdgeParams>(),
       .ports = {reads<uint>("materials", samples), reads<uint>("gradients", gradients),

@@ -1,5 +1,5 @@
 #version 460
-// A group a tile, the mask gathered by shared atomics, and the tile appended at once: the form of seed 001.
+// A group a tile, the mask gathered by shared atomics, and the tile appended at once: the form of Pettineo 2016.
 // The counts are cleared before.
 #include "kernels/edge_classification/common.glsl"
 

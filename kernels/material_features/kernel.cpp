@@ -27,7 +27,7 @@ Cost cost(const Case& c) {
 Kernel describe() {
   return {
       .name = "material_features",
-      .source = "Hammer, Lazarek 2025 (seed 000): feature bits for tile classification, uniform data permutation",
+      .source = "Lazarek, Hammer 2025: feature bits for tile classification, uniform data permutation",
       .default_variant = "plain",
       .params = layout_of<FeatureParams>(),
       .ports = {reads_image("visibility", Format::rg32_uint, {"visibility.visibility"}),

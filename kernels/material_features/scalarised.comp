@@ -1,5 +1,5 @@
 #version 460
-// The ballot loop of seed 000 (tile classification), used for loads: each distinct surface of the wave is looked up once,
+// The ballot loop of Lazarek, Hammer 2025 (tile classification), used for loads: each distinct surface of the wave is looked up once,
 // with a uniform index, for all lanes that hold it. At most one iteration a lane of the subgroup, so at most 128.
 #extension GL_KHR_shader_subgroup_ballot : require
 #include "kernels/material_features/common.glsl"

@@ -1,5 +1,5 @@
 #version 460
-// Seed 000, deferred texturing optimisations: where all lanes hold the same surface, broadcasting it tells the compiler
+// Lazarek, Hammer 2025, deferred texturing optimisations: where all lanes hold the same surface, broadcasting it tells the compiler
 // that the loads are uniform (one scalar load a wave); other waves take the divergent path. Both paths are one shader
 // here: the branch is uniform, and the work behind it is too small to be worth a second dispatch.
 #extension GL_KHR_shader_subgroup_ballot : require

@@ -9,7 +9,8 @@ namespace assay::tile_classification {
 
 namespace {
 
-constexpr uint32_t kGroupsPerTile = 32;  // waves of 32 over 1024 pixels: seed 000 prints 65,280 groups for 2,040 tiles
+constexpr uint32_t kGroupsPerTile =
+    32;  // waves of 32 over 1024 pixels: Lazarek and Hammer print 65,280 groups for 2,040 tiles
 
 struct Canvas {
   Extent extent;

@@ -34,7 +34,7 @@ Cost cost(const Case& c) {
 Kernel describe() {
   return {
       .name = "tile_classification",
-      .source = "Seed 000 (Hammer, Lazarek 2025), Deferred Dispatches with Tile Classification",
+      .source = "Lazarek, Hammer 2025, Deferred Dispatches with Tile Classification",
       .default_variant = "subgroup_or",
       .params = layout_of<ClassifyParams>(),
       .ports = {reads<uint>("features", pixels,

@@ -20,7 +20,7 @@ Cost cost(const Case& c) {
 Kernel describe() {
   return {
       .name = "tile_visit",
-      .source = "Seed 000 (Hammer, Lazarek 2025), Deferred Dispatches with Tile Classification: workload dispatch",
+      .source = "Lazarek, Hammer 2025, Deferred Dispatches with Tile Classification: workload dispatch",
       .default_variant = "indirect",
       .params = layout_of<VisitParams>(),
       .ports = {reads<uint>("workload_tiles", entries, {"tile_classification.workload_tiles"}),
