@@ -9,9 +9,9 @@ namespace {
 
 constexpr double u = kUnitRoundoff;
 constexpr uint32_t kSlots = 16;
-// What filtering may add to a unorm texel's interpolation. Vulkan bounds the weights' steps (subTexelPrecisionBits), not the
-// arithmetic. sRGB texels are decoded first and need a wide format: fp32 is assumed, two interpolations of three operations
-// and the conversion. Linear ones may be filtered in their own 8 bits, truncated once an axis.
+// What filtering may add to a unorm texel's interpolation. Vulkan bounds the weights' steps (subTexelPrecisionBits),
+// not the arithmetic. sRGB texels are decoded first and need a wide format: fp32 is assumed, two interpolations of
+// three operations and the conversion. Linear ones may be filtered in their own 8 bits, truncated once an axis.
 constexpr double kWideFilter = 16 * u, kNarrowFilter = 2.0 / 255;
 constexpr uint32_t kWidestSearch = 8;  // texels a side; beyond, the whole layer's range is taken
 
@@ -55,7 +55,8 @@ Stops stops(double low, double high) {
   return s;
 }
 
-// Texel coordinates in units of texels, texel centres at integers; the filter's fraction is rounded to the device's steps.
+// Texel coordinates in units of texels, texel centres at integers; the filter's fraction is rounded to the device's
+// steps.
 Attribute to_texels(const Attribute& a, uint32_t size, uint32_t sub_texel_bits) {
   const double at = a.value * size;
   return {at - 0.5, a.error * size + 3 * u * (std::fabs(at) + 1) + std::ldexp(1.0, -static_cast<int>(sub_texel_bits))};
@@ -75,19 +76,23 @@ Attribute attribute_at(const Shape& s, const std::array<double, 3>& values, doub
   const double value = evaluate(s, over_w, x, y) / inverse_w;
   if (values[0] == values[1] && values[1] == values[2]) return {values[0], 8 * u * std::fabs(values[0])};
   // A corner that is moved carries its value along, so the surface of values tilts by the value's own gradient.
-  const double gradient = (std::fabs(over_w.d_dx - value * s.inverse_w.d_dx) + std::fabs(over_w.d_dy - value * s.inverse_w.d_dy));
+  const double gradient =
+      (std::fabs(over_w.d_dx - value * s.inverse_w.d_dx) + std::fabs(over_w.d_dy - value * s.inverse_w.d_dy));
   const double stretch = stretch_at(s, outside);
-  const double rounding = rounding_of(s, over_w, value * inverse_w) + std::fabs(value) * rounding_of(s, s.inverse_w, inverse_w);
+  const double rounding =
+      rounding_of(s, over_w, value * inverse_w) + std::fabs(value) * rounding_of(s, s.inverse_w, inverse_w);
   double carried = 0, largest = 0;  // the corners' own 1/w
   for (uint32_t k = 0; k < 3; ++k) {
     carried += std::fabs(evaluate(s, s.weights[k], x, y) / inverse_w * (values[k] - value)) * s.relative_error;
     largest = std::max(largest, std::fabs(values[k]));
   }
   const double moved = moved_at(s, inverse_w * s.near_plane);
-  const double error = (stretch * gradient * moved + rounding) / inverse_w + stretch * carried + 10 * u * stretch * largest;
+  const double error =
+      (stretch * gradient * moved + rounding) / inverse_w + stretch * carried + 10 * u * stretch * largest;
   // 1/w itself is uncertain; where its own error nears it, nothing is known.
   const double slope = std::fabs(s.inverse_w.d_dx) + std::fabs(s.inverse_w.d_dy);
-  const double doubt = (stretch * slope * moved + rounding_of(s, s.inverse_w, inverse_w)) / inverse_w + stretch * s.relative_error;
+  const double doubt =
+      (stretch * slope * moved + rounding_of(s, s.inverse_w, inverse_w)) / inverse_w + stretch * s.relative_error;
   return doubt < 0.5 ? Attribute{value, error / (1 - doubt)} : Attribute{0, kUnknown};
 }
 
@@ -98,9 +103,11 @@ Interval sampled_alpha(const MaterialRecord& m, std::span<const Texture> texture
   const Texture& t = textures[array];
   const uint64_t layer = std::min(m.base_texture & 0xffffu, t.layers - 1);
   const Layer l = {t.bytes.data() + layer * t.width * t.height * 4, t.width, t.height};
-  const Attribute x = to_texels(texcoord_u, t.width, sub_texel_bits), y = to_texels(texcoord_v, t.height, sub_texel_bits);
+  const Attribute x = to_texels(texcoord_u, t.width, sub_texel_bits),
+                  y = to_texels(texcoord_v, t.height, sub_texel_bits);
   Interval range = {1, 0};
-  if (!(x.error < 0.5 * kWidestSearch) || !(y.error < 0.5 * kWidestSearch) || std::fabs(x.value) > 1e15 || std::fabs(y.value) > 1e15) {
+  if (!(x.error < 0.5 * kWidestSearch) || !(y.error < 0.5 * kWidestSearch) || std::fabs(x.value) > 1e15 ||
+      std::fabs(y.value) > 1e15) {
     range = whole_range(l);
   } else {
     const Stops xs = stops(x.value - x.error, x.value + x.error), ys = stops(y.value - y.error, y.value + y.error);
@@ -117,7 +124,8 @@ Interval sampled_alpha(const MaterialRecord& m, std::span<const Texture> texture
 Cover kept(const MaterialRecord& m, Interval sampled) {
   const double factor = m.base_colour.w, cutoff = m.alpha_cutoff;
   const double p = factor * sampled.low, q = factor * sampled.high;
-  const double slack = sampled.low == sampled.high && sampled.low == 1 ? 0 : 2 * u * std::max(std::fabs(p), std::fabs(q));
+  const double slack =
+      sampled.low == sampled.high && sampled.low == 1 ? 0 : 2 * u * std::max(std::fabs(p), std::fabs(q));
   const double low = std::min(p, q) - slack, high = std::max(p, q) + slack;
   if (low >= cutoff) return Cover::in;
   if (high < cutoff) return Cover::out;

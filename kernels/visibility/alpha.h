@@ -10,13 +10,13 @@ namespace assay::visibility {
 struct Attribute {
   double value = 0, error = 0;
 };
-// `values`: one a vertex. The planes of value / w and 1 / w are evaluated in fp32 and divided. The point may lie `outside`
-// pixels beside the triangle.
+// `values`: one a vertex. The planes of value / w and 1 / w are evaluated in fp32 and divided. The point may lie
+// `outside` pixels beside the triangle.
 Attribute attribute_at(const Shape&, const std::array<double, 3>& values, double x, double y, double outside = 0);
 
 // Alpha of a bilinear sample at level 0, repeat, over all admissible coordinates.
-Interval sampled_alpha(const MaterialRecord&, std::span<const Texture>, const Attribute& texcoord_u, const Attribute& texcoord_v,
-                       uint32_t sub_texel_bits);
+Interval sampled_alpha(const MaterialRecord&, std::span<const Texture>, const Attribute& texcoord_u,
+                       const Attribute& texcoord_v, uint32_t sub_texel_bits);
 // Whether the pixel is kept: `in` if alpha is surely not below the cutoff.
 Cover kept(const MaterialRecord&, Interval sampled);
 

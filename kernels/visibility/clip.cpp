@@ -9,8 +9,8 @@ namespace assay::visibility {
 namespace {
 
 constexpr double u = kUnitRoundoff;
-// Snapping to the grid. Vulkan names the grid (subPixelPrecisionBits), not the rounding; Direct3D 11 lets the conversion
-// to fixed point be off by 0.6 of a step where exact rounding is off by 0.5.
+// Snapping to the grid. Vulkan names the grid (subPixelPrecisionBits), not the rounding; Direct3D 11 lets the
+// conversion to fixed point be off by 0.6 of a step where exact rounding is off by 0.5.
 constexpr double kSnapSteps = 0.6;
 // A division is good to 2.5 ulp in Vulkan's table for shaders; the fixed-function one is taken to be no worse.
 constexpr double kDivision = 5 * u;
@@ -29,8 +29,8 @@ struct Dot {
   double value, error;
 };
 
-// dot(row, vec4(p, 1)) in fp32, summed in any order, fused or not: each term meets four roundings at most. Where all terms
-// are multiples of one power of two and their magnitudes sum to below 2^24 of it, every order is exact.
+// dot(row, vec4(p, 1)) in fp32, summed in any order, fused or not: each term meets four roundings at most. Where all
+// terms are multiples of one power of two and their magnitudes sum to below 2^24 of it, every order is exact.
 Dot dot_bound(const vec4& row, const vec3& p) {
   const std::array<double, 4> terms = {double{row.x} * p.x, double{row.y} * p.y, double{row.z} * p.z, double{row.w}};
   double value = 0, magnitude = 0, step = 0x1p200;
@@ -57,7 +57,8 @@ struct Coordinate {
 Coordinate to_pixels(double clip, double clip_error, const ClipVertex& v, double half) {
   const double ndc = clip / v.w, scaled = ndc * half, value = scaled + half;
   const bool known = clip_error == 0 && v.w_error == 0 && is_power_of_two(v.w);
-  if (known && is_float(ndc) && is_float(scaled) && is_float(value) && is_float(ndc * 0.5 + 0.5) && is_float(value - 0.5))
+  if (known && is_float(ndc) && is_float(scaled) && is_float(value) && is_float(ndc * 0.5 + 0.5) &&
+      is_float(value - 0.5))
     return {value, 0};
   if (!(v.w > 2 * v.w_error)) return {value, kAnywhere};
   const double carried = (clip_error + std::fabs(ndc) * v.w_error) / (v.w - v.w_error) * half;

@@ -32,7 +32,8 @@ struct Corner {
 Corner corner_of(const ClipVertex&, const Target&);
 // Where the edge from `inside` to `behind` meets the near plane.
 Corner near_corner(const ClipVertex& inside, const ClipVertex& behind, const Target&);
-// Rounding of a corner that clipping against a side plane puts on the edge a-b where 1/w is inverse_w: pixels, and of 1/w.
+// Rounding of a corner that clipping against a side plane puts on the edge a-b where 1/w is inverse_w: pixels, and of
+// 1/w.
 struct SideError {
   double moved = 0, relative = 0;
 };

@@ -151,7 +151,8 @@ void set_planes(Shape& s, const std::array<ClipVertex, 3>& v, const Target& t) {
     return Plane{x[i] * y[j] - y[i] * x[j], y[i] * v[j].w - v[i].w * y[j], v[i].w * x[j] - x[i] * v[j].w};
   };
   s.weights = {cofactor(1, 2), cofactor(2, 0), cofactor(0, 1)};
-  const double determinant = v[0].w * s.weights[0].at_origin + v[1].w * s.weights[1].at_origin + v[2].w * s.weights[2].at_origin;
+  const double determinant =
+      v[0].w * s.weights[0].at_origin + v[1].w * s.weights[1].at_origin + v[2].w * s.weights[2].at_origin;
   if (!(std::fabs(determinant) > 1e-300)) s.planes_known = false;
   for (Plane& w : s.weights) {
     w.at_origin /= determinant, w.d_dx /= determinant, w.d_dy /= determinant;
@@ -241,8 +242,7 @@ Shape shape_of(const std::array<ClipVertex, 3>& v, Facing facing, const Target& 
     // Clockwise in framebuffer coordinates is the back of a surface that was not mirrored.
     if (facing == (clockwise ? Facing::cull_back : Facing::cull_front)) continue;
     for (uint32_t i = 0; i < p.count; ++i)
-      if (p.edges[i].first != p.edges[i].second)
-        s.edges.push_back(edge_of(p, i, ends[i], clockwise));
+      if (p.edges[i].first != p.edges[i].second) s.edges.push_back(edge_of(p, i, ends[i], clockwise));
   }
   s.whole = !s.crosses_near;
   for (uint32_t i = 0; i < p.count; ++i) s.whole = s.whole && inside_viewport(p.corners[i], t);
@@ -290,8 +290,8 @@ double evaluate(const Shape& s, const Plane& p, double x, double y) {
 }
 
 double stretch_at(const Shape& s, double outside) {
-  // Covered pixels lie within the corners as they were moved for coverage, at most twice that beside those of the planes:
-  // two weights down to -distance / height, and the third makes up for them.
+  // Covered pixels lie within the corners as they were moved for coverage, at most twice that beside those of the
+  // planes: two weights down to -distance / height, and the third makes up for them.
   return 1 + 4 * (outside + 2 * s.moved) / s.height;
 }
 

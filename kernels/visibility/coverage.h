@@ -24,27 +24,27 @@ struct Plane {
 
 // A triangle as the rasteriser sees it: what lies in front of the near plane, on the screen.
 struct Shape {
-  std::vector<Edge> edges;            // one set of 3 or 4 for each admissible orientation
-  uint32_t edges_a_side = 0;          // edges of a set
-  bool certain = true;                // false: nothing is sure to be covered (facing unknown, positions unknown)
-  bool whole = false;                 // no plane of the view cuts it
-  bool crosses_near = false;          // the depth test 1/w <= 1/near decides too
-  double near_plane = 0;              // metres
-  double near_slack = 0;              // of depth, where it is crossed
+  std::vector<Edge> edges;    // one set of 3 or 4 for each admissible orientation
+  uint32_t edges_a_side = 0;  // edges of a set
+  bool certain = true;        // false: nothing is sure to be covered (facing unknown, positions unknown)
+  bool whole = false;         // no plane of the view cuts it
+  bool crosses_near = false;  // the depth test 1/w <= 1/near decides too
+  double near_plane = 0;      // metres
+  double near_slack = 0;      // of depth, where it is crossed
   uint32_t x_first = 0, y_first = 0, x_end = 0, y_end = 0;  // pixels outside are not covered
-  double origin_x = 0, origin_y = 0;  // of the planes
+  double origin_x = 0, origin_y = 0;                        // of the planes
   std::array<Plane, 3> weights = {};  // perspective weights times 1/w, one a vertex; their sum is 1/w
   Plane inverse_w = {};
-  double moved = 0;            // the most that a corner may be moved, pixels
-  double near_moved = 0;       // likewise of corners on the near plane
-  double height = 0;           // the least that the moved triangle has, pixels
-  double stretch = 1;          // how far moved corners may extrapolate: sum of the weights' magnitudes
-  double relative_error = 0;   // of 1/w at the corners
+  double moved = 0;           // the most that a corner may be moved, pixels
+  double near_moved = 0;      // likewise of corners on the near plane
+  double height = 0;          // the least that the moved triangle has, pixels
+  double stretch = 1;         // how far moved corners may extrapolate: sum of the weights' magnitudes
+  double relative_error = 0;  // of 1/w at the corners
   // Rounding of plane evaluation is u * (rounding.x * |d_dx| + rounding.y * |d_dy|), pixels.
   struct {
     double x = 0, y = 0;
   } rounding;
-  bool planes_known = true;    // false: nothing is known of interpolated values
+  bool planes_known = true;  // false: nothing is known of interpolated values
 };
 
 enum class Facing { cull_back, cull_front, both };
@@ -73,8 +73,8 @@ double evaluate(const Shape&, const Plane&, double x, double y);
 double stretch_at(const Shape&, double outside);
 // What fp32 evaluation of a plane may be off.
 double rounding_of(const Shape&, const Plane&, double value);
-// How far what is seen at a pixel of this depth may be moved: a corner on the near plane has at most the depth's weight,
-// as the weighted sum of the corners' depths is the pixel's, and its own is 1.
+// How far what is seen at a pixel of this depth may be moved: a corner on the near plane has at most the depth's
+// weight, as the weighted sum of the corners' depths is the pixel's, and its own is 1.
 double moved_at(const Shape&, double depth);
 
 }  // namespace assay::visibility

@@ -22,13 +22,16 @@ void for_each_triangle(const Case& c, const std::function<void(const DrawnTriang
   DrawnTriangle t;
   for (uint32_t bucket = 0; bucket < kDrawBuckets; ++bucket) {
     t.masked = bucket >= 3;
-    t.facing = bucket % 3 == kFacingBoth ? Facing::both : bucket % 3 == kFacingCullBack ? Facing::cull_back : Facing::cull_front;
+    t.facing = bucket % 3 == kFacingBoth       ? Facing::both
+               : bucket % 3 == kFacingCullBack ? Facing::cull_back
+                                               : Facing::cull_front;
     for (uint32_t d = counts.bucket_first[bucket]; d < counts.bucket_first[bucket + 1]; ++d)
       for (uint32_t instance = 0; instance < draws[d].instance_count; ++instance) {
         t.surface = std::min(draws[d].first_instance + instance, last_surface);
         for (t.primitive = 0; t.primitive < draws[d].index_count / 3; ++t.primitive, ++t.order) {
           for (uint32_t k = 0; k < 3; ++k)
-            t.vertices[k] = std::min(indices[draws[d].first_index + 3 * t.primitive + k] + draws[d].vertex_offset, last_vertex);
+            t.vertices[k] =
+                std::min(indices[draws[d].first_index + 3 * t.primitive + k] + draws[d].vertex_offset, last_vertex);
           visit(t);
         }
       }
@@ -41,7 +44,9 @@ JudgedPixels judged_pixels(const Case& c) {
   if (c.judge_all || count <= kSampledAbove) return judged;
   const auto [width, height] = c.extent;
   judged.position.assign(count, kNotJudged);
-  const auto is_border = [](uint32_t i, uint32_t size) { return i % kTileSide == 0 || i % kTileSide == kTileSide - 1 || i + 1 == size; };
+  const auto is_border = [](uint32_t i, uint32_t size) {
+    return i % kTileSide == 0 || i % kTileSide == kTileSide - 1 || i + 1 == size;
+  };
   for (uint32_t y = 0; y < height; ++y)
     for (uint32_t x = 0; x < width; ++x)
       if (is_border(x, width) || is_border(y, height)) judged.position[uint64_t{y} * width + x] = 0;

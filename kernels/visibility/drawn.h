@@ -18,8 +18,8 @@ void for_each_triangle(const Case&, const std::function<void(const DrawnTriangle
 
 // Of large targets the borders of every tile and a stratified sample; of others, or where the case says so, all pixels.
 struct JudgedPixels {
-  std::vector<uint64_t> list = {};     // ascending; empty: all
-  std::vector<uint32_t> position = {}; // of a pixel in the list, kNotJudged elsewhere
+  std::vector<uint64_t> list = {};      // ascending; empty: all
+  std::vector<uint32_t> position = {};  // of a pixel in the list, kNotJudged elsewhere
 };
 constexpr uint32_t kNotJudged = 0xffffffffu;
 JudgedPixels judged_pixels(const Case&);

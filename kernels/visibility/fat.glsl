@@ -1,10 +1,10 @@
 // The second 64 bits of a fat texel; layout.h has the encoding.
 #ifndef VISIBILITY_FAT
 #define VISIBILITY_FAT
+layout(location = 1) flat in uint material_and_hand;
 layout(location = 2) in vec2 uv;
 layout(location = 3) in vec3 normal;
 layout(location = 4) in vec3 tangent;
-layout(location = 5) flat in float handedness;
 layout(location = 1) out uvec2 fat;
 
 // A sign over an exponent and two bits of mantissa, rounded to nearest: the float's own leading bits.
@@ -54,8 +54,8 @@ uvec2 fat_texel() {
 #ifdef MUTANT_15
   uint hand = 0u;
 #else
-  uint hand = handedness < 0 ? 1u : 0u;
+  uint hand = material_and_hand & kNegativeHand;
 #endif
-  return uvec2(derivatives, n.x | n.y << 11 | angle << 22 | hand << 31);
+  return uvec2(derivatives, n.x | n.y << 11 | angle << 22 | hand);
 }
 #endif

@@ -5,18 +5,16 @@
 READS(2, VertexAttributes, attributes);
 
 layout(location = 0) flat out uint word;
-layout(location = 1) flat out uint material;
+layout(location = 1) flat out uint material_and_hand;
 layout(location = 2) out vec2 uv;
 layout(location = 3) out vec3 normal;
 layout(location = 4) out vec3 tangent;
-layout(location = 5) flat out float handedness;
 
 void main() {
   uint surface = surface_index();
   uint vertex = vertex_index();
   gl_Position = clip_position(surface, vertex);
   word = surface_word(surface);
-  material = clamped(surfaces[surface].material, params.scene.materials);
 #ifdef MUTANT_12
   uv = attributes[vertex].uv.yx;
 #else
@@ -33,5 +31,6 @@ void main() {
   normal = side * vec3(dot(cross(y, z), n), dot(cross(z, x), n), dot(cross(x, y), n));
   vec3 t = attributes[vertex].tangent.xyz;
   tangent = vec3(dot(x, t), dot(y, t), dot(z, t));
-  handedness = side * attributes[vertex].tangent.w;
+  uint material = clamped(surfaces[surface].material, params.scene.materials);
+  material_and_hand = material | (side * attributes[vertex].tangent.w < 0 ? kNegativeHand : 0u);
 }

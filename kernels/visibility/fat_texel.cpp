@@ -12,7 +12,8 @@ namespace {
 constexpr double u = kUnitRoundoff;
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
-// Half a step of 1/1023 in x and in y moves (x, y, 1 - |x| - |y|) by sqrt(6) / 2046, and its length is 1/sqrt(3) or more.
+// Half a step of 1/1023 in x and in y moves (x, y, 1 - |x| - |y|) by sqrt(6) / 2046, and its length is 1/sqrt(3) or
+// more.
 const double kOctahedral = std::sqrt(18.0) / 2046 + 32 * u;
 // Half a step of a turn, and atan(y, x), 4096 ulp of at most 4 by Vulkan's table.
 constexpr double kAngle = kPi / 512 + 4096 * 4 * u;
@@ -54,13 +55,15 @@ Vector normal_of(uint32_t code) {
   Vector n = {steps(code), steps(code >> 11), 0};
   n.z = kFatNormalSteps - std::fabs(n.x) - std::fabs(n.y);
   if (n.z < 0) {
-    const double x = (kFatNormalSteps - std::fabs(n.y)) * (n.x < 0 ? -1 : 1), y = (kFatNormalSteps - std::fabs(n.x)) * (n.y < 0 ? -1 : 1);
+    const double x = (kFatNormalSteps - std::fabs(n.y)) * (n.x < 0 ? -1 : 1),
+                 y = (kFatNormalSteps - std::fabs(n.x)) * (n.y < 0 ? -1 : 1);
     n.x = x, n.y = y;
   }
   return 1 / n.length() * n;
 }
 
-// Perpendicular axes from which the tangent's angle counts: x and y of the frame that turns +z (or -z) on to the normal.
+// Perpendicular axes from which the tangent's angle counts: x and y of the frame that turns +z (or -z) on to the
+// normal.
 Vector tangent_of(const Vector& n, uint32_t code) {
   const double s = n.z < 0 ? -1 : 1, a = -1 / (s + n.z), b = n.x * n.y * a;
   const Vector first = {1 + s * n.x * n.x * a, s * b, -s * n.x}, second = {b, s + n.y * n.y * a, -n.y};
@@ -71,8 +74,13 @@ Vector tangent_of(const Vector& n, uint32_t code) {
 FatFields unpacked(uvec2 texel) {
   const auto derivative = [&](uint32_t byte) { return static_cast<float>(derivative_of(texel.x >> 8 * byte & 255u)); };
   const Vector n = normal_of(texel.y);
-  return {derivative(0), derivative(1), derivative(2), derivative(3), narrow(n), narrow(tangent_of(n, texel.y)),
-          texel.y >> 31 != 0 ? -1.0f : 1.0f};
+  return {derivative(0),
+          derivative(1),
+          derivative(2),
+          derivative(3),
+          narrow(n),
+          narrow(tangent_of(n, texel.y)),
+          (texel.y & kNegativeHand) != 0 ? -1.0f : 1.0f};
 }
 
 void append(Bytes& to, const FatFields& f) {
@@ -98,7 +106,8 @@ struct VectorAttribute {
   double error;
 };
 VectorAttribute vector_at(const Shape& s, const std::array<Vector, 3>& v, double vertex_error, double x, double y) {
-  const Attribute a = attribute_at(s, {v[0].x, v[1].x, v[2].x}, x, y), b = attribute_at(s, {v[0].y, v[1].y, v[2].y}, x, y),
+  const Attribute a = attribute_at(s, {v[0].x, v[1].x, v[2].x}, x, y),
+                  b = attribute_at(s, {v[0].y, v[1].y, v[2].y}, x, y),
                   c = attribute_at(s, {v[0].z, v[1].z, v[2].z}, x, y);
   return {{a.value, b.value, c.value}, Vector{a.error, b.error, c.error}.length() + s.stretch * vertex_error};
 }
@@ -108,7 +117,8 @@ struct Frame {
   double normal_error = kUnknown, tangent_error = kUnknown;
 };
 
-Frame frame_at(const Shape& s, const std::array<VertexAttributes, 3>& v, const SurfaceRecord& surface, double x, double y) {
+Frame frame_at(const Shape& s, const std::array<VertexAttributes, 3>& v, const SurfaceRecord& surface, double x,
+               double y) {
   const Vector r0 = row(surface.world_x), r1 = row(surface.world_y), r2 = row(surface.world_z);
   const Vector c0 = cross(r1, r2), c1 = cross(r2, r0), c2 = cross(r0, r1);
   const double side = (surface.flags & kSurfaceFlipped) != 0 ? -1 : 1;
@@ -162,13 +172,15 @@ void append_cleared(Expected& e) {
   append(e.high, unpacked(uvec2(0, 0)));
 }
 
-void append_fat(Expected& e, const Shape& s, const std::array<VertexAttributes, 3>& v, const SurfaceRecord& surface, uint32_t x,
-                uint32_t y) {
+void append_fat(Expected& e, const Shape& s, const std::array<VertexAttributes, 3>& v, const SurfaceRecord& surface,
+                uint32_t x, uint32_t y) {
   FatFields low, high;
   const double quad_x = (x & ~1u) + 0.5, quad_y = (y & ~1u) + 0.5;
-  const auto derivatives = [&](double a, double b, double c, float& low_dx, float& high_dx, float& low_dy, float& high_dy) {
+  const auto derivatives = [&](double a, double b, double c, float& low_dx, float& high_dx, float& low_dy,
+                               float& high_dy) {
     std::array<Attribute, 4> quad;
-    for (uint32_t i = 0; i < 4; ++i) quad[i] = attribute_at(s, {a, b, c}, quad_x + (i & 1u), quad_y + (i >> 1), kPixelReach);
+    for (uint32_t i = 0; i < 4; ++i)
+      quad[i] = attribute_at(s, {a, b, c}, quad_x + (i & 1u), quad_y + (i >> 1), kPixelReach);
     const Interval d_dx = difference(quad, 0, 1, 2, 3), d_dy = difference(quad, 0, 2, 1, 3);
     low_dx = quantised(d_dx.low), high_dx = quantised(d_dx.high);
     low_dy = quantised(d_dy.low), high_dy = quantised(d_dy.high);

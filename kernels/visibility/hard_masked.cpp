@@ -38,8 +38,10 @@ std::vector<HardCase> masked_cases() {
   return {
       {"masked_all_cut", "every pixel is a hole: what lies behind stays",
        [] { return cut_case(masked_look(1, 0.5f, texture_name(0, 0)), {constant(0)}); }},
-      {"masked_none_cut", "no pixel is a hole", [] { return cut_case(masked_look(1, 0.5f, texture_name(0, 0)), {constant(255)}); }},
-      {"cutoff_equal", "alpha equal to the cutoff is kept: less than, not at most", [] { return cut_case(masked_look(0.625f, 0.625f)); }},
+      {"masked_none_cut", "no pixel is a hole",
+       [] { return cut_case(masked_look(1, 0.5f, texture_name(0, 0)), {constant(255)}); }},
+      {"cutoff_equal", "alpha equal to the cutoff is kept: less than, not at most",
+       [] { return cut_case(masked_look(0.625f, 0.625f)); }},
       {"cutoff_in_texture", "the cutoff is the alpha of a constant texture: rounding may tip it",
        [] { return cut_case(masked_look(1, 51 / 255.0f, texture_name(0, 0)), {constant(51)}); }},
       {"masked_factor", "the material's own alpha counts",
@@ -72,7 +74,8 @@ Case with_vertex(const vec3& broken) {
   Mesh quad = quad_mesh(2), triangle;
   for (vec3& p : quad.positions) p.z = -3;
   scene.add(quad, {});
-  for (const vec3& v : {vec3(-1, -1, -2), vec3(1, -1, -2), broken}) triangle.indices.push_back(add_vertex(triangle, v, vec2(v.x, v.y)));
+  for (const vec3& v : {vec3(-1, -1, -2), vec3(1, -1, -2), broken})
+    triangle.indices.push_back(add_vertex(triangle, v, vec2(v.x, v.y)));
   scene.add(triangle, both_sides());
   return scene.finish();
 }
@@ -99,19 +102,24 @@ Case changed(Case c, const std::string& port, const std::function<void(T&)>& cha
 
 std::vector<HardCase> hostile_cases() {
   return {
-      {"vertex_nan", "NaN in a position: nothing hangs, nothing beside its triangle changes", [] { return with_vertex(vec3(kNaN, 0, -2)); }},
+      {"vertex_nan", "NaN in a position: nothing hangs, nothing beside its triangle changes",
+       [] { return with_vertex(vec3(kNaN, 0, -2)); }},
       {"vertex_infinite", "infinity in a position", [] { return with_vertex(vec3(0, kInfinity, -2)); }},
       {"vertex_infinite_w", "infinite distance", [] { return with_vertex(vec3(0, 0, -kInfinity)); }},
-      {"vertex_denormal", "denormal coordinates, flushed or not", [] { return with_vertex(vec3(1e-40f, -1e-42f, -2)); }},
+      {"vertex_denormal", "denormal coordinates, flushed or not",
+       [] { return with_vertex(vec3(1e-40f, -1e-42f, -2)); }},
       {"vertex_huge", "coordinates near the largest float", [] { return with_vertex(vec3(1e38f, 1e38f, -1)); }},
-      {"index_past_end", "an index past the vertices reads the last one", [] { return with_indices([](uint32_t& i) { i = 1000000; }); }},
-      {"index_largest", "the largest index that is no restart", [] { return with_indices([](uint32_t& i) { i = 0x7fffffff; }); }},
+      {"index_past_end", "an index past the vertices reads the last one",
+       [] { return with_indices([](uint32_t& i) { i = 1000000; }); }},
+      {"index_largest", "the largest index that is no restart",
+       [] { return with_indices([](uint32_t& i) { i = 0x7fffffff; }); }},
       {"uv_nan", "NaN in the coordinates of a cut: any texel, or none",
        [] {
-         return changed<VertexAttributes>(cut_case(masked_look(1, 0.5f, texture_name(0, 0)), {stripes(8, 2, 1)}), "attributes",
-                                          [](VertexAttributes& a) { a.uv.x = kNaN; });
+         return changed<VertexAttributes>(cut_case(masked_look(1, 0.5f, texture_name(0, 0)), {stripes(8, 2, 1)}),
+                                          "attributes", [](VertexAttributes& a) { a.uv.x = kNaN; });
        }},
-      {"alpha_nan", "an alpha that is no number is compared as the device likes", [] { return cut_case(masked_look(kNaN, 0.5f)); }},
+      {"alpha_nan", "an alpha that is no number is compared as the device likes",
+       [] { return cut_case(masked_look(kNaN, 0.5f)); }},
       {"texture_array_past_end", "a texture array that does not exist is white",
        [] { return cut_case(masked_look(1, 0.5f, texture_name(40, 0)), {constant(0)}); }},
       {"texture_slot_unused", "a slot without an array is white",
@@ -120,8 +128,8 @@ std::vector<HardCase> hostile_cases() {
        [] { return cut_case(masked_look(1, 0.5f, texture_name(0, 900)), {stripes(8, 2, 2)}); }},
       {"material_past_end", "a material past the end is the last one",
        [] {
-         return changed<SurfaceRecord>(cut_case(masked_look(1, 0.5f, texture_name(0, 0)), {stripes(8, 2, 1)}), "surfaces",
-                                       [](SurfaceRecord& s) { s.material += 70000; });
+         return changed<SurfaceRecord>(cut_case(masked_look(1, 0.5f, texture_name(0, 0)), {stripes(8, 2, 1)}),
+                                       "surfaces", [](SurfaceRecord& s) { s.material += 70000; });
        }},
       {"instance_past_end", "instances past the surfaces are the last surface again",
        [] {

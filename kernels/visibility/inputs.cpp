@@ -18,7 +18,9 @@ vec3 unit_vector(Pcg32& rng) {
 }
 
 // Pixel coordinates, mostly on the screen, a tenth of the time up to a screen beside it.
-double somewhere(Pcg32& rng, uint32_t size) { return rng.unit() < 0.9 ? rng.range(0, size) : rng.range(-1.0 * size, 2.0 * size); }
+double somewhere(Pcg32& rng, uint32_t size) {
+  return rng.unit() < 0.9 ? rng.range(0, size) : rng.range(-1.0 * size, 2.0 * size);
+}
 
 struct Shapes {
   const View& view;
@@ -32,9 +34,11 @@ struct Shapes {
   Mesh soup(uint32_t count, double low, double high) const {
     Mesh m;
     for (uint32_t i = 0; i < count; ++i) {
-      const double x = somewhere(rng, view.extent.width), y = somewhere(rng, view.extent.height), size = log_range(rng, low, high);
+      const double x = somewhere(rng, view.extent.width), y = somewhere(rng, view.extent.height),
+                   size = log_range(rng, low, high);
       uint32_t v[3];
-      for (uint32_t& vertex : v) vertex = add_vertex(m, at(x + rng.range(-size, size), y + rng.range(-size, size)), uv(), unit_vector(rng));
+      for (uint32_t& vertex : v)
+        vertex = add_vertex(m, at(x + rng.range(-size, size), y + rng.range(-size, size)), uv(), unit_vector(rng));
       add_triangle(m, v[0], v[1], v[2]);
     }
     return m;
@@ -45,14 +49,16 @@ struct Shapes {
     const double cell = log_range(rng, 0.7, 40), slant = rng.range(-0.5, 0.5);
     const uint32_t columns = 1 + rng.below(12), rows = 1 + rng.below(12);
     add_grid(m, columns, rows, [&](float s, float t) {
-      return view.at(x + cell * columns * (s + slant * t), y - cell * rows * (t - slant * s), distance * (1 + 0.3 * s - 0.2 * t));
+      return view.at(x + cell * columns * (s + slant * t), y - cell * rows * (t - slant * s),
+                     distance * (1 + 0.3 * s - 0.2 * t));
     });
     return m;
   }
   // Triangles around a centre; the last closes the ring.
   Mesh fan() const {
     Mesh m;
-    const double x = somewhere(rng, view.extent.width), y = somewhere(rng, view.extent.height), radius = log_range(rng, 2, 100);
+    const double x = somewhere(rng, view.extent.width), y = somewhere(rng, view.extent.height),
+                 radius = log_range(rng, 2, 100);
     const uint32_t spokes = 3 + rng.below(13);
     const uint32_t centre = add_vertex(m, at(x, y), vec2(0.5f));
     for (uint32_t i = 0; i < spokes; ++i) {
@@ -116,9 +122,8 @@ Mesh on_grid(const Extent& e, Pcg32& rng) {
 
 uint32_t add_random_texture(SceneBuilder& scene, Pcg32& rng) {
   const uint32_t width = 1 + rng.below(16), height = 1 + rng.below(16), layers = 1 + rng.below(3);
-  const Format format = rng.below(2) == 0 ? Format::rgba8_srgb : Format::rgba8_unorm;
   const bool hard_edged = rng.below(2) == 0;
-  return scene.add_texture(alpha_texture(width, height, layers, format, [&](uint32_t, uint32_t, uint32_t) {
+  return scene.add_texture(alpha_texture(width, height, layers, Format::rgba8_srgb, [&](uint32_t, uint32_t, uint32_t) {
     return hard_edged ? 255 * rng.below(2) : rng.below(256);
   }));
 }
@@ -131,7 +136,8 @@ Look random_look(Random& r, uint32_t arrays) {
   m.flags |= kMaterialMasked;
   m.alpha_cutoff = static_cast<float>(r.rng.range(0.1, 0.9));
   m.base_colour = vec4(1, 1, 1, r.rng.range(0.3, 1));
-  if (r.branch({{"textured_cut", 4}, {"untextured_cut", 1}}) == 0) m.base_texture = texture_name(r.rng.below(arrays), r.rng.below(3));
+  if (r.branch({{"textured_cut", 4}, {"untextured_cut", 1}}) == 0)
+    m.base_texture = texture_name(r.rng.below(arrays), r.rng.below(3));
   return look;
 }
 
@@ -148,7 +154,8 @@ std::vector<glm::dmat4> places_for(Random& r, Mesh& mesh, Look& look) {
   for (uint32_t i = 0; i < count; ++i) {
     glm::dmat4 place = glm::translate(glm::dmat4(1), middle);
     if (i > 0) {
-      place = glm::translate(place, glm::dvec3(r.rng.range(-size, size), r.rng.range(-size, size), r.rng.range(-size, size)));
+      place = glm::translate(place,
+                             glm::dvec3(r.rng.range(-size, size), r.rng.range(-size, size), r.rng.range(-size, size)));
       place = glm::rotate(place, r.rng.range(-3, 3), glm::dvec3(unit_vector(r.rng)));
     }
     if (how >= 2) place = glm::scale(place, glm::dvec3(-1, 1, 1));
@@ -160,16 +167,33 @@ std::vector<glm::dmat4> places_for(Random& r, Mesh& mesh, Look& look) {
 Mesh random_mesh(Random& r, const View& view) {
   const Shapes s = {view, r.rng, log_range(r.rng, 0.3, 60)};
   const double side = std::max(view.extent.width, view.extent.height);
-  switch (r.branch({{"micro", 2}, {"small", 2}, {"medium", 2}, {"huge", 1}, {"grid", 2}, {"fan", 2}, {"crossing", 1}, {"behind", 0.5}, {"coplanar", 0.5}})) {
-    case 0: return s.soup(20 + r.rng.below(200), 0.15, 0.6);
-    case 1: return s.soup(10 + r.rng.below(100), 0.6, 6);
-    case 2: return s.soup(2 + r.rng.below(20), 6, 60);
-    case 3: return s.soup(1 + r.rng.below(3), 0.5 * side, 20 * side);
-    case 4: return s.grid();
-    case 5: return s.fan();
-    case 6: return s.crossing(1 + r.rng.below(4));
-    case 7: return s.behind(1 + r.rng.below(10));
-    default: return s.coplanar(2 + r.rng.below(3));
+  switch (r.branch({{"micro", 2},
+                    {"small", 2},
+                    {"medium", 2},
+                    {"huge", 1},
+                    {"grid", 2},
+                    {"fan", 2},
+                    {"crossing", 1},
+                    {"behind", 0.5},
+                    {"coplanar", 0.5}})) {
+    case 0:
+      return s.soup(20 + r.rng.below(200), 0.15, 0.6);
+    case 1:
+      return s.soup(10 + r.rng.below(100), 0.6, 6);
+    case 2:
+      return s.soup(2 + r.rng.below(20), 6, 60);
+    case 3:
+      return s.soup(1 + r.rng.below(3), 0.5 * side, 20 * side);
+    case 4:
+      return s.grid();
+    case 5:
+      return s.fan();
+    case 6:
+      return s.crossing(1 + r.rng.below(4));
+    case 7:
+      return s.behind(1 + r.rng.below(10));
+    default:
+      return s.coplanar(2 + r.rng.below(3));
   }
 }
 
@@ -181,7 +205,8 @@ Case random_case(Random& r) {
   for (uint32_t i = 0; i < batches; ++i) {
     Look look = random_look(r, arrays);
     if (r.branch({{"in_space", 9}, {"on_the_grid", 1}}) == 1) {
-      scene.add_rows(on_grid(scene.view.extent, r.rng), look, glm::dmat4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1));
+      scene.add_rows(on_grid(scene.view.extent, r.rng), look,
+                     glm::dmat4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1));
       continue;
     }
     Mesh mesh = random_mesh(r, scene.view);
@@ -204,9 +229,16 @@ std::vector<Case> smaller(const Case& c) {
   };
   const size_t half = (draws.size() + 1) / 2;
   if (draws.size() > 1) {
-    with([=](DrawCommand& d, size_t i) { if (i >= half) d.index_count = 0; });
-    with([=](DrawCommand& d, size_t i) { if (i < half) d.index_count = 0; });
-    for (size_t k = 0; k < std::min<size_t>(draws.size(), 8); ++k) with([=](DrawCommand& d, size_t i) { if (i == k) d.index_count = 0; });
+    with([=](DrawCommand& d, size_t i) {
+      if (i >= half) d.index_count = 0;
+    });
+    with([=](DrawCommand& d, size_t i) {
+      if (i < half) d.index_count = 0;
+    });
+    for (size_t k = 0; k < std::min<size_t>(draws.size(), 8); ++k)
+      with([=](DrawCommand& d, size_t i) {
+        if (i == k) d.index_count = 0;
+      });
   }
   with([](DrawCommand& d, size_t) { d.index_count = d.index_count / 6 * 3; });
   with([](DrawCommand& d, size_t) {
@@ -214,7 +246,8 @@ std::vector<Case> smaller(const Case& c) {
     d.first_index += skipped, d.index_count -= skipped;
   });
   with([](DrawCommand& d, size_t) { d.instance_count = (d.instance_count + 1) / 2; });
-  for (const Extent e : {Extent{(c.extent.width + 1) / 2, c.extent.height}, Extent{c.extent.width, (c.extent.height + 1) / 2}}) {
+  for (const Extent e :
+       {Extent{(c.extent.width + 1) / 2, c.extent.height}, Extent{c.extent.width, (c.extent.height + 1) / 2}}) {
     Case s = c;
     s.extent = e;
     if (e.width < c.extent.width || e.height < c.extent.height) out.push_back(std::move(s));
@@ -223,9 +256,17 @@ std::vector<Case> smaller(const Case& c) {
 }
 
 std::vector<std::string> branches() {
-  std::vector<std::string> names = {"single_sided", "double_sided", "opaque", "masked", "textured_cut", "untextured_cut", "placed_once",
-                                    "instanced", "mirrored", "mirrored_instances", "micro", "small", "medium", "huge", "grid", "fan",
-                                    "crossing", "behind", "coplanar", "in_space", "on_the_grid"};
+  std::vector<std::string> names = {"single_sided", "double_sided",
+                                    "opaque",       "masked",
+                                    "textured_cut", "untextured_cut",
+                                    "placed_once",  "instanced",
+                                    "mirrored",     "mirrored_instances",
+                                    "micro",        "small",
+                                    "medium",       "huge",
+                                    "grid",         "fan",
+                                    "crossing",     "behind",
+                                    "coplanar",     "in_space",
+                                    "on_the_grid"};
   names.insert(names.end(), kExtentBranches.begin(), kExtentBranches.end());
   return names;
 }

@@ -16,12 +16,17 @@ Count counted(uint SceneCounts::*member) {
 Draw draw(const char* opaque_vertex, const char* opaque, const char* masked_vertex, const char* masked, bool fat) {
   Draw d = {.colours = {{.port = "visibility", .clear = glm::uvec4(kVisibilityNone)}},
             .depth = DepthTarget{.port = "depth", .compare = Compare::greater, .write = true, .clear = 0.0f},
-            .indices = "indices", .commands = "draws", .calls = {}};
+            .indices = "indices",
+            .commands = "draws",
+            .calls = {}};
   if (fat) d.colours.push_back({.port = "fat", .clear = glm::uvec4(0)});
   for (uint32_t bucket = 0; bucket < kDrawBuckets; ++bucket) {
-    const auto edge = [bucket](const Case& c, uint32_t i) { return c.params<VisibilityParams>().scene.bucket_first[bucket + i]; };
+    const auto edge = [bucket](const Case& c, uint32_t i) {
+      return c.params<VisibilityParams>().scene.bucket_first[bucket + i];
+    };
     const bool cut = bucket >= 3;
-    d.calls.push_back({.vertex = cut ? masked_vertex : opaque_vertex, .fragment = cut ? masked : opaque,
+    d.calls.push_back({.vertex = cut ? masked_vertex : opaque_vertex,
+                       .fragment = cut ? masked : opaque,
                        .cull = std::array{Cull::back, Cull::front, Cull::none}[bucket % 3],
                        .first = [edge](const Case& c) { return uint64_t{edge(c, 0)}; },
                        .count = [edge](const Case& c) { return uint64_t{edge(c, 1)} - edge(c, 0); }});
@@ -32,13 +37,15 @@ Draw draw(const char* opaque_vertex, const char* opaque, const char* masked_vert
 // Each index, and each vertex and record at its use, read once; a pixel of each target written once.
 Cost cost(const Case& c) {
   const SceneCounts n = c.params<VisibilityParams>().scene;
-  return {.bytes_read = uint64_t{n.indices} * 4 + uint64_t{n.vertices} * sizeof(vec3) + n.surfaces * sizeof(SurfaceRecord) +
-                        n.draws * sizeof(DrawCommand),
+  return {.bytes_read = uint64_t{n.indices} * 4 + uint64_t{n.vertices} * sizeof(vec3) +
+                        n.surfaces * sizeof(SurfaceRecord) + n.draws * sizeof(DrawCommand),
           .bytes_written = pixels(c) * 12,
           .operations = uint64_t{n.vertices} * 21};  // three dot products of four
 }
 
-const char* const kIds = "coverage by the top-left rule within the sub-pixel grid, depth within plane rounding, alpha within the filter's (README, Bounds)";
+const char* const kIds =
+    "coverage by the top-left rule within the sub-pixel grid, depth within plane rounding, alpha within the filter's "
+    "(README, Bounds)";
 const char* const kFat = "either row or column of the quad, then the encoding's half steps (README, Fat)";
 
 }  // namespace
@@ -51,7 +58,7 @@ Kernel describe() {
   fat_bound.unpack = Unpack{layout_of<FatFields>(), unpack_fat};
   return {
       .name = "visibility",
-      .source = "Seed 000 (Hammer, Lazarek 2025), Triangle Visibility Buffer",
+      .source = "Lazarek, Hammer 2025, Triangle Visibility Buffer",
       .default_variant = "slim",
       .params = layout_of<VisibilityParams>(),
       .ports = {reads<vec3>("positions", counted(&SceneCounts::vertices), {"scene.positions"}),
@@ -60,8 +67,8 @@ Kernel describe() {
                 reads<SurfaceRecord>("surfaces", counted(&SceneCounts::surfaces), {"scene.surfaces"}),
                 reads<DrawCommand>("draws", counted(&SceneCounts::draws), {"scene.draws"}),
                 reads<MaterialRecord>("materials", counted(&SceneCounts::materials), {"scene.materials"}),
-                reads_textures("textures", 16, {"scene.textures"}),
-                writes_image("visibility", Format::rg32_uint), writes_image("depth", Format::d32_float), fat},
+                reads_textures("textures", 16, {"scene.textures"}), writes_image("visibility", Format::rg32_uint),
+                writes_image("depth", Format::d32_float), fat},
       .variants = {{.name = "slim",
                     .passes = {draw("opaque.vert", "opaque.frag", "masked.vert", "masked.frag", false)},
                     .needs = {Feature::primitive_id},

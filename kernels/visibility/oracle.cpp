@@ -34,8 +34,14 @@ Scene scene_of(const Case& c) {
                          std::ldexp(1.0, static_cast<int>(c.device.sub_pixel_bits))};
   std::span<const Texture> textures;
   if (const auto it = c.textures.find("textures"); it != c.textures.end()) textures = it->second;
-  return {params, target, c.input<vec3>("positions"), c.input<VertexAttributes>("attributes"), c.input<SurfaceRecord>("surfaces"),
-          c.input<MaterialRecord>("materials"), textures, c.device.sub_texel_bits};
+  return {params,
+          target,
+          c.input<vec3>("positions"),
+          c.input<VertexAttributes>("attributes"),
+          c.input<SurfaceRecord>("surfaces"),
+          c.input<MaterialRecord>("materials"),
+          textures,
+          c.device.sub_texel_bits};
 }
 
 uint32_t word_of(const SurfaceRecord& s, uint32_t surface) {
@@ -72,9 +78,12 @@ Candidate candidate_at(const Scene& scene, const DrawnTriangle& t, const Shape& 
   return c;
 }
 
-// A triangle with a vertex that is no number: Vulkan does not say what is drawn, so it may appear anywhere at any depth.
+// A triangle with a vertex that is no number: Vulkan does not say what is drawn, so it may appear anywhere at any
+// depth.
 void add_anywhere(Winners& winners, uint32_t triangle) {
-  for (uint64_t i = 0; i < winners.pixels(); ++i) winners.add(i, {.cover = Cover::maybe, .low = 0, .high = std::numeric_limits<double>::infinity(), .triangle = triangle});
+  for (uint64_t i = 0; i < winners.pixels(); ++i)
+    winners.add(
+        i, {.cover = Cover::maybe, .low = 0, .high = std::numeric_limits<double>::infinity(), .triangle = triangle});
 }
 
 void add_triangle(const Scene& scene, const JudgedPixels& judged, const DrawnTriangle& t, Winners& winners) {

@@ -6,8 +6,6 @@ READS(0, vec3, positions);
 READS(1, SurfaceRecord, surfaces);
 PARAMS(VisibilityParams);
 
-invariant gl_Position;
-
 uint clamped(uint i, uint count) { return min(i, max(count, 1u) - 1u); }
 
 uint vertex_index() { return clamped(uint(gl_VertexIndex), params.scene.vertices); }
@@ -21,19 +19,27 @@ uint surface_index() {
 #endif
 }
 
+// One of the clip rows. `precise` forbids the compiler to fuse or reorder, so that every vertex shader of every variant puts
+// a vertex in the same place; `invariant gl_Position` promises no more, and Mesa 22.3 warns of its decoration.
+float along(vec4 row, vec3 p) {
+  precise float sum = row.x * p.x + row.y * p.y + row.z * p.z + row.w;
+  return sum;
+}
+
 // Clip z is the near distance for every vertex: depth is near / w, reversed, and the far plane is at infinity.
 vec4 clip_position(uint surface, uint vertex) {
-  vec4 p = vec4(positions[vertex], 1);
+  vec3 p = positions[vertex];
 #ifdef MUTANT_2
-  float y = dot(surfaces[surface].clip_x, p);
+  float y = along(surfaces[surface].clip_x, p);
 #else
-  float y = dot(surfaces[surface].clip_y, p);
+  float y = along(surfaces[surface].clip_y, p);
 #endif
 #ifdef MUTANT_3
-  return vec4(dot(surfaces[surface].clip_x, p), y, 0.999 * params.near_plane, dot(surfaces[surface].clip_w, p));
+  float z = 0.999 * params.near_plane;
 #else
-  return vec4(dot(surfaces[surface].clip_x, p), y, params.near_plane, dot(surfaces[surface].clip_w, p));
+  float z = params.near_plane;
 #endif
+  return vec4(along(surfaces[surface].clip_x, p), y, z, along(surfaces[surface].clip_w, p));
 }
 
 // The second word of the visibility buffer.

@@ -58,7 +58,9 @@ void SceneBuilder::add_draw(const Mesh& mesh, const Look& look, std::vector<Surf
   d.first_instance = static_cast<uint32_t>(surfaces_.size());
   const bool flipped = !surfaces.empty() && (surfaces[0].flags & kSurfaceFlipped) != 0;
   const uint32_t flags = look.material.flags;
-  const uint32_t facing = (flags & kMaterialDoubleSided) != 0 ? kFacingBoth : flipped ? kFacingCullFront : kFacingCullBack;
+  const uint32_t facing = (flags & kMaterialDoubleSided) != 0 ? kFacingBoth
+                          : flipped                           ? kFacingCullFront
+                                                              : kFacingCullBack;
   for (SurfaceRecord& s : surfaces) {
     s.material = static_cast<uint32_t>(materials_.size());
     s.flags |= flags | (look.instanced ? kSurfaceInstanced : 0);

@@ -23,7 +23,8 @@ void add_grid(Mesh& m, uint32_t columns, uint32_t rows, F position) {
   const auto first = static_cast<uint32_t>(m.positions.size());
   for (uint32_t j = 0; j <= rows; ++j)
     for (uint32_t i = 0; i <= columns; ++i) {
-      const float u = static_cast<float>(i) / static_cast<float>(columns), v = static_cast<float>(j) / static_cast<float>(rows);
+      const float u = static_cast<float>(i) / static_cast<float>(columns),
+                  v = static_cast<float>(j) / static_cast<float>(rows);
       add_vertex(m, position(u, v), vec2(u, v));
     }
   for (uint32_t j = 0; j < rows; ++j)

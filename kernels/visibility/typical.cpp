@@ -13,8 +13,10 @@ constexpr double kTurn = 6.283185307179586;
 Mesh ball(uint32_t around, uint32_t up) {
   Mesh m;
   add_grid(m, around, up, [](float u, float v) {
-    const double longitude = kTurn * u, latitude = kTurn / 4 * (2 * v - 1), r = 1 + 0.1 * std::sin(5 * longitude) * std::cos(3 * latitude);
-    return vec3(r * std::cos(latitude) * std::sin(longitude), r * std::sin(latitude), r * std::cos(latitude) * std::cos(longitude));
+    const double longitude = kTurn * u, latitude = kTurn / 4 * (2 * v - 1),
+                 r = 1 + 0.1 * std::sin(5 * longitude) * std::cos(3 * latitude);
+    return vec3(r * std::cos(latitude) * std::sin(longitude), r * std::sin(latitude),
+                r * std::cos(latitude) * std::cos(longitude));
   });
   return m;
 }
@@ -36,16 +38,19 @@ Mesh cards(uint32_t count, Pcg32& rng) {
 }
 
 uint32_t add_leaf(SceneBuilder& scene) {
-  return scene.add_texture(alpha_texture(64, 64, 1, Format::rgba8_srgb, [](uint32_t x, uint32_t y, uint32_t) -> uint32_t {
-    const double dx = (x - 31.5) / 32, dy = (y - 31.5) / 32;
-    return dx * dx * 2 + dy * dy < 0.8 ? 255 : 0;
-  }));
+  return scene.add_texture(
+      alpha_texture(64, 64, 1, Format::rgba8_srgb, [](uint32_t x, uint32_t y, uint32_t) -> uint32_t {
+        const double dx = (x - 31.5) / 32, dy = (y - 31.5) / 32;
+        return dx * dx * 2 + dy * dy < 0.8 ? 255 : 0;
+      }));
 }
 
 void add_room(SceneBuilder& scene) {
   Mesh floor, wall;
   add_grid(floor, 64, 64, [](float u, float v) { return vec3(60 * u - 30, -1.6, -60 * v); });
-  add_grid(wall, 96, 48, [](float u, float v) { return vec3(120 * u - 60, 60 * v - 20, -55 - 3 * std::sin(20 * u) * std::cos(11 * v)); });
+  add_grid(wall, 96, 48, [](float u, float v) {
+    return vec3(120 * u - 60, 60 * v - 20, -55 - 3 * std::sin(20 * u) * std::cos(11 * v));
+  });
   scene.add(floor, {});
   scene.add(wall, {});
 }
@@ -73,7 +78,9 @@ Case typical(Extent e) {
   leaves.instanced = true;
   std::vector<glm::dmat4> trees;
   for (int i = 0; i < 12; ++i)
-    trees.push_back(glm::scale(glm::translate(glm::dmat4(1), glm::dvec3(rng.range(-12, 12), rng.range(0, 2), -rng.range(4, 25))), glm::dvec3(2)));
+    trees.push_back(
+        glm::scale(glm::translate(glm::dmat4(1), glm::dvec3(rng.range(-12, 12), rng.range(0, 2), -rng.range(4, 25))),
+                   glm::dvec3(2)));
   scene.add(cards(200, rng), leaves, trees);
   return scene.finish("typical");
 }

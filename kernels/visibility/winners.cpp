@@ -12,8 +12,8 @@ void Winners::add(uint64_t pixel, Candidate c) {
   candidates_.push_back(c);
 }
 
-// The same three vertices of the same surface in the same order, drawn by the same pipeline: Vulkan's invariance rules give
-// the same depth, bit for bit.
+// The same three vertices of the same surface in the same order, drawn by the same pipeline: Vulkan's invariance rules
+// give the same depth, bit for bit.
 bool Winners::same_place(uint32_t a, uint32_t b) const {
   const DrawnTriangle &p = triangles_[a].drawn, &q = triangles_[b].drawn;
   return p.surface == q.surface && p.masked == q.masked && p.facing == q.facing && p.vertices == q.vertices;
@@ -29,8 +29,8 @@ bool Winners::beaten(const Candidate& c) const {
   });
 }
 
-// Two triangles on either side of an edge between the same two vertices, both in doubt for that edge alone: exactly one of
-// them covers the pixel, wherever the edge was snapped to, so what is surely behind both is hidden.
+// Two triangles on either side of an edge between the same two vertices, both in doubt for that edge alone: exactly one
+// of them covers the pixel, wherever the edge was snapped to, so what is surely behind both is hidden.
 void Winners::find_pairs() {
   nearest_pair_ = 0;
   for (const Candidate& a : here_) {

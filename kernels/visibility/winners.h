@@ -20,8 +20,9 @@ struct Candidate {
   Cover cover = Cover::out;
   double low = 0, high = 0;
   uint32_t triangle = kNoTriangle;
-  uint32_t edge_from = kNoVertex, edge_to = kNoVertex;  // covered unless it lies beyond this edge: nothing else is in doubt
-  uint32_t next = 0xffffffffu;                          // of the pixel's list
+  uint32_t edge_from = kNoVertex,
+           edge_to = kNoVertex;  // covered unless it lies beyond this edge: nothing else is in doubt
+  uint32_t next = 0xffffffffu;   // of the pixel's list
 };
 
 // What a pixel may end as; kNoTriangle: as it was cleared.
