@@ -72,7 +72,7 @@ TEST(Transfer, LargeImagesAreCopiedInPieces) {
 
 TEST(Transfer, TexturesKeepLevelsAndLayers) {
   Texture t = {.format = Format::rgba8_srgb, .width = 5, .height = 3, .layers = 3, .levels = 3};
-  t.bytes = random_bytes(4 * 3 * (5 * 3 + 2 * 1 + 1 * 1), 3);
+  t.bytes = random_bytes(uint64_t{4} * 3 * (5 * 3 + 2 * 1 + 1 * 1), 3);
   const Texture one = {.format = Format::rg8_unorm, .width = 1, .height = 1, .bytes = random_bytes(2, 4)};
   const Texture all[] = {t, one};
   const auto textures = device::make_textures(*device(), "textures", all, 16);

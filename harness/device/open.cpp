@@ -197,6 +197,7 @@ Handle open(const Options& options) {
   auto instance = std::make_unique<Instance>(options.validation);
   std::vector<Physical> physical = physical_devices(*instance);
   std::vector<Info> infos;
+  infos.reserve(physical.size());
   for (const Physical& p : physical) infos.push_back(p.info);
   Physical& chosen = physical[choose(infos, options.select)];
   if (!chosen.info.missing.empty())

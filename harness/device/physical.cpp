@@ -209,6 +209,9 @@ std::string missing(const Info& info, const Variant& variant) {
   const uint32_t width = info.traits.subgroup_width;
   if (width < variant.subgroup_min || width > variant.subgroup_max)
     add(fmt::format("subgroup width {} outside {}..{}", width, variant.subgroup_min, variant.subgroup_max));
+  // Mesa 22.3 crashes in LLVM while it compiles any fragment shader, even a constant one, for 512-bit vectors.
+  const bool draws = std::ranges::any_of(variant.passes, [](const Pass& p) { return std::holds_alternative<Draw>(p); });
+  if (draws && width > 8 && info.driver == "llvmpipe") add("draws: lavapipe compiles no fragment shader for 16 lanes");
   return why;
 }
 
