@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 
+#include "harness/oracle.h"
 #include "kernels/debug_view/layout.h"
 
 namespace assay::debug_view {
@@ -124,8 +125,7 @@ Answer expected_image(const Case& c) {
     for (uint32_t x = 0; x < c.extent.width; ++x) image[size_t{y} * c.extent.width + x] = packed(view.at(x, y));
   if (view.params.view == kViewWorkload)
     for (size_t row = 0; row < workloads(c); ++row) paint_workload(view, row, image);
-  const auto bytes = std::as_bytes(std::span(image));
-  return {{"image", {.low = Bytes(bytes.begin(), bytes.end())}}};
+  return {{"image", expect_all(image)}};
 }
 
 }  // namespace assay::debug_view

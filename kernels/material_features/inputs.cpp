@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "harness/crop.h"
 #include "kernels/material_features/layout.h"
 
 namespace assay::material_features {
@@ -171,22 +172,14 @@ std::vector<HardCase> hard_cases() {
 
 std::vector<Case> smaller(const Case& c) {
   std::vector<Case> found;
-  const auto pixels_of = c.input<uvec2>("visibility");
-  for (const Extent e : {Extent{c.extent.width / 2, c.extent.height}, Extent{c.extent.width, c.extent.height / 2}}) {
-    if (pixel_count(e) == 0) continue;
-    for (const Extent from : {Extent{0, 0}, Extent{c.extent.width - e.width, c.extent.height - e.height}}) {
-      std::vector<uvec2> part;
-      for (uint32_t y = 0; y < e.height; ++y)
-        for (uint32_t x = 0; x < e.width; ++x)
-          part.push_back(pixels_of[size_t{y + from.height} * c.extent.width + x + from.width]);
-      Case crop = c;
-      auto params = c.params<FeatureParams>();
-      params.width = e.width, params.height = e.height;
-      crop.extent = e;
-      crop.set_params(params);
-      crop.set_input("visibility", part);
-      found.push_back(std::move(crop));
-    }
+  for (const Crop& crop : smaller_crops(c.extent)) {
+    Case part = c;
+    auto params = c.params<FeatureParams>();
+    params.width = crop.size.width, params.height = crop.size.height;
+    part.extent = crop.size;
+    part.set_params(params);
+    part.set_input("visibility", cropped(c.input<uvec2>("visibility"), c.extent, crop));
+    found.push_back(std::move(part));
   }
   return found;
 }

@@ -1,5 +1,6 @@
 #include "kernels/material_features/oracle.h"
 
+#include "harness/oracle.h"
 #include "kernels/material_features/layout.h"
 
 namespace assay::material_features {
@@ -15,8 +16,7 @@ Answer expected_features(const Case& c) {
     const uint32_t material = surfaces[surface].material;
     if (material < materials.size()) features[i] = materials[material].features;
   }
-  const auto bytes = std::as_bytes(std::span(features));
-  return {{"features", {.low = Bytes(bytes.begin(), bytes.end())}}};
+  return {{"features", expect_all(features)}};
 }
 
 }  // namespace assay::material_features
