@@ -10,9 +10,9 @@ namespace {
 constexpr double u = kUnitRoundoff;
 constexpr uint32_t kSlots = 16;
 // What filtering may add to a unorm texel's interpolation. Vulkan bounds the weights' steps (subTexelPrecisionBits),
-// not the arithmetic. sRGB texels are decoded first and need a wide format: fp32 is assumed, two interpolations of
-// three operations and the conversion. Linear ones may be filtered in their own 8 bits, truncated once an axis.
-constexpr double kWideFilter = 16 * u, kNarrowFilter = 2.0 / 255;
+// not the arithmetic: texels may be filtered in their own 8 bits, truncated once an axis. That holds for sRGB textures
+// too: their alpha is linear, so nothing asks for a wide format (lavapipe uses one, an H200 does not).
+constexpr double kFilter = 2.0 / 255;
 constexpr uint32_t kWidestSearch = 8;  // texels a side; beyond, the whole layer's range is taken
 
 struct Layer {
@@ -117,8 +117,7 @@ Interval sampled_alpha(const MaterialRecord& m, std::span<const Texture> texture
         range = {std::min(range.low, a), std::max(range.high, a)};
       }
   }
-  const double filter = t.format == Format::rgba8_srgb ? kWideFilter : kNarrowFilter;
-  return {range.low - filter, range.high + filter};
+  return {range.low - kFilter, range.high + kFilter};
 }
 
 Cover kept(const MaterialRecord& m, Interval sampled) {
