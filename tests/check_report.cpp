@@ -17,6 +17,16 @@ void print_report(const std::vector<check::KernelResult>& results) {
     }
 }
 
+std::string skipped(const std::vector<check::KernelResult>& results) {
+  std::string why;
+  for (const auto& kernel : results)
+    for (const auto& variant : kernel.variants) {
+      if (variant.skipped.empty()) return "";
+      why += fmt::format("{} {}: {}\n", kernel.name, variant.name, variant.skipped);
+    }
+  return why;
+}
+
 std::string complaints_of(const std::vector<check::KernelResult>& results) {
   std::string text;
   for (const auto& kernel : results) {

@@ -8,6 +8,8 @@
 namespace assay::tests {
 
 void print_report(const std::vector<check::KernelResult>&);
+// Why no variant of any kernel could run on this device; empty where one ran.
+std::string skipped(const std::vector<check::KernelResult>&);
 // Every failure with its replay command, and every complaint.
 std::string complaints_of(const std::vector<check::KernelResult>&);
 

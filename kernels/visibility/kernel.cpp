@@ -37,8 +37,15 @@ Draw draw(const char* opaque_vertex, const char* opaque, const char* masked_vert
 // Each index, and each vertex and record at its use, read once; a pixel of each target written once.
 Cost cost(const Case& c) {
   const SceneCounts n = c.params<VisibilityParams>().scene;
+  const bool masked = n.bucket_first[3] < n.bucket_first[kDrawBuckets];
+  uint64_t cut = 0;  // what only masked draws read
+  if (masked) {
+    cut = uint64_t{n.vertices} * sizeof(VertexAttributes) + n.materials * sizeof(MaterialRecord);
+    if (const auto t = c.textures.find("textures"); t != c.textures.end())
+      for (const Texture& texture : t->second) cut += texture.bytes.size();
+  }
   return {.bytes_read = uint64_t{n.indices} * 4 + uint64_t{n.vertices} * sizeof(vec3) +
-                        n.surfaces * sizeof(SurfaceRecord) + n.draws * sizeof(DrawCommand),
+                        n.surfaces * sizeof(SurfaceRecord) + n.draws * sizeof(DrawCommand) + cut,
           .bytes_written = pixels(c) * 12,
           .operations = uint64_t{n.vertices} * 21};  // three dot products of four
 }
