@@ -37,30 +37,13 @@ constexpr uint64_t tile_count(Extent e, uint32_t side) { return pixel_count(tile
 // ---- A case: what one run of a kernel starts from
 // --------------------------------------------------------------------
 
+// clang-format off
 enum class Format {
-  r8_unorm,
-  r8_uint,
-  rg8_unorm,
-  rgba8_unorm,
-  rgba8_srgb,
-  rgba8_uint,
-  r16_unorm,
-  r16_float,
-  rg16_snorm,
-  rg16_unorm,
-  rg16_float,
-  rgba16_float,
-  rgba16_uint,
-  r32_uint,
-  r32_float,
-  rg32_uint,
-  rg32_float,
-  rgba32_uint,
-  rgba32_float,
-  r11g11b10_float,
-  rgb9e5_float,
-  d32_float,
+  r8_unorm, r8_uint, rg8_unorm, rgba8_unorm, rgba8_srgb, rgba8_uint, r16_unorm, r16_float, rg16_snorm, rg16_unorm,
+  rg16_float, rgba16_float, rgba16_uint, r32_uint, r32_float, rg32_uint, rg32_float, rgba32_uint, rgba32_float,
+  r11g11b10_float, rgb9e5_float, d32_float,
 };
+// clang-format on
 uint32_t bytes_per_texel(Format);
 const char* name_of(Format);
 
