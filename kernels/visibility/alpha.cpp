@@ -11,7 +11,8 @@ constexpr double u = kUnitRoundoff;
 constexpr uint32_t kSlots = 16;
 // What filtering may add to a unorm texel's interpolation. Vulkan bounds the weights' steps (subTexelPrecisionBits),
 // not the arithmetic: texels may be filtered in their own 8 bits, truncated once an axis. That holds for sRGB textures
-// too: their alpha is linear, so nothing asks for a wide format (lavapipe uses one, an H200 does not).
+// too: their alpha is linear, so nothing asks for a wide format. That an
+// H200 filters so is inferred (its cuts left the bound that assumed fp32, and keep this one), not measured.
 constexpr double kFilter = 2.0 / 255;
 constexpr uint32_t kWidestSearch = 8;  // texels a side; beyond, the whole layer's range is taken
 
