@@ -133,6 +133,7 @@ std::vector<MutantResult> mutate_kernel(device::Handle& handle, const device::Op
 std::vector<MutantResult> mutate(device::Handle& handle, const device::Options& device_options,
                                  const std::vector<std::string>& kernels, uint32_t trials) {
   std::vector<const Kernel*> chosen;
+  chosen.reserve(all_kernels().size());
   for (const std::string& name : kernels) chosen.push_back(&kernel_named(name));
   if (kernels.empty())
     for (const Kernel& kernel : all_kernels()) chosen.push_back(&kernel);

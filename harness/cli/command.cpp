@@ -98,6 +98,7 @@ void write_json(const Common& common, const nlohmann::ordered_json& j) {
 
 std::vector<const Kernel*> chosen_kernels(const std::vector<std::string>& names) {
   std::vector<const Kernel*> chosen;
+  chosen.reserve(all_kernels().size());
   for (const auto& name : names) chosen.push_back(&kernel_named(name));
   if (names.empty())
     for (const Kernel& k : all_kernels()) chosen.push_back(&k);
