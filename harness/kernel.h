@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "harness/formats/light.h"
 #include "harness/formats/scene.h"
 #include "harness/layout_table.h"
 
@@ -178,7 +179,7 @@ struct Dispatch {
   std::string shader;
   std::function<Groups(const Case&)> groups = {};
   std::string indirect = {};
-  uint32_t first_args = 0;
+  Count first_args = {};  // 0 where empty
   Count repeat = {};
 };
 
@@ -348,8 +349,11 @@ struct Cost {
 struct FrameInputs {
   Extent extent = {};
   SceneCounts scene = {};
+  std::vector<uint32_t> shaders = {};  // visible shader classes (formats/material.h), ascending: slot -> class
+  ViewRays rays = {};
   float near_plane = 0.1f;
-  uint32_t view = 0;  // the debug view asked for (kernels/debug_view/layout.h)
+  float exposure_stops = 0;  // added to the automatic exposure
+  uint32_t view = 0;         // the debug view asked for (kernels/debug_view/layout.h)
   uint32_t frame = 0;
 };
 

@@ -115,7 +115,7 @@ void lower_dispatch(const Lowering& l, const Dispatch& pass, std::vector<Command
       const Owned& args = resource_of(l, pass.indirect);
       job.indirect = args->buffer;
       job.set.keep.push_back(args);  // no shader binds it, and the command must outlive the caller's ports
-      job.offset = (pass.first_args + uint64_t{row}) * sizeof(DispatchArgs);
+      job.offset = ((pass.first_args ? pass.first_args(l.input) : 0) + row) * sizeof(DispatchArgs);
       use_buffer(c.uses, pass.indirect, *args, job.offset, sizeof(DispatchArgs), kIndirect);
     }
     const auto shared = std::make_shared<const DispatchJob>(job);

@@ -4,14 +4,12 @@
 #include "harness/shared.h"
 SHARED_FORMATS_BEGIN
 
-// Bits of SurfaceRecord.flags and MaterialRecord.flags.
+// Bits of SurfaceRecord.flags and MaterialRecord.flags (formats/material.h).
 SHARED_CONST uint kMaterialMasked = 1u;       // alpha below the cutoff is a hole
 SHARED_CONST uint kMaterialDoubleSided = 2u;  // back faces are seen
 SHARED_CONST uint kMaterialBlended = 4u;      // drawn by the forward pass, not in visibility
 SHARED_CONST uint kSurfaceFlipped = 8u;       // the transform mirrors: clockwise triangles face the camera
 SHARED_CONST uint kSurfaceInstanced = 16u;    // drawn with hardware instancing
-
-SHARED_CONST uint kNoTexture = 0xffffffffu;
 
 // Draws come in buckets that differ in pipeline state: bucket = masked * 3 + facing.
 SHARED_CONST uint kFacingCullBack = 0u;   // single-sided
@@ -44,15 +42,6 @@ struct VertexAttributes {
   vec2 uv;
 };
 
-// Textures are named array << 16 | layer, kNoTexture where there is none.
-struct MaterialRecord {
-  vec4 base_colour;  // linear factor; alpha too
-  uint base_texture;
-  float alpha_cutoff;
-  uint flags;
-  uint features;  // bits of formats/features.h
-};
-
 // VkDrawIndexedIndirectCommand; first_instance is the index of the first surface.
 struct DrawCommand {
   uint index_count;
@@ -77,16 +66,28 @@ struct SceneCounts {
   uint materials;
   uint draws;
   uint bucket_first[kDrawBuckets + 1];
+  uint lights;
+  uint visible_shaders;    // shader classes that a gathered surface has
+  uint visible_materials;  // materials that a gathered surface has
 };
+
+// Of a surface: its shader class and material among the visible ones, as the gather registered them (compact indices,
+// ascending with the class and the material). kUnregistered names a class or material that was not registered.
+struct SurfaceSlot {
+  uint shader;
+  uint material;
+};
+SHARED_CONST uint kUnregistered = 0xffffffffu;
 
 #ifdef __cplusplus
 SHARED_LAYOUT(SurfaceRecord, clip_x, clip_y, clip_w, world_x, world_y, world_z, material, flags, first_index,
               triangle_count, vertex_offset, mesh);
 SHARED_LAYOUT(VertexAttributes, normal, tangent, uv);
-SHARED_LAYOUT(MaterialRecord, base_colour, base_texture, alpha_cutoff, flags, features);
 SHARED_LAYOUT(DrawCommand, index_count, instance_count, first_index, vertex_offset, first_instance);
 SHARED_LAYOUT(DispatchArgs, x, y, z);
-SHARED_LAYOUT(SceneCounts, vertices, indices, surfaces, materials, draws, bucket_first);
+SHARED_LAYOUT(SceneCounts, vertices, indices, surfaces, materials, draws, bucket_first, lights, visible_shaders,
+              visible_materials);
+SHARED_LAYOUT(SurfaceSlot, shader, material);
 #endif
 SHARED_END
 #endif

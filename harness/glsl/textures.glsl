@@ -1,10 +1,10 @@
-// The scene's array textures, 16 slots at most (formats/scene.h names a texture array << 16 | layer). Slots are chosen by
+// The scene's array textures, 16 slots at most (formats/material.h names a texture array << 16 | layer). Slots are chosen by
 // a switch with constant indices: no device has to index an array of samplers dynamically. A name past the slots reads
 // white, as does an unused slot (the harness fills those with one white texel); a layer past the array's end is the
 // last one, by Vulkan's clamp. Define TEXTURES_SLOT, the binding, before including.
 #ifndef HARNESS_GLSL_TEXTURES
 #define HARNESS_GLSL_TEXTURES
-#include "harness/formats/scene.h"
+#include "harness/formats/material.h"
 
 layout(binding = TEXTURES_SLOT) uniform sampler2DArray textures[16];
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "harness/formats/features.h"
+#include "harness/formats/material.h"
 #include "harness/formats/scene.h"
 #include "harness/kernel.h"
 

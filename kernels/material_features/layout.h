@@ -1,5 +1,6 @@
 #ifndef MATERIAL_FEATURES_LAYOUT_H
 #define MATERIAL_FEATURES_LAYOUT_H
+#include "harness/formats/material.h"
 #include "harness/formats/scene.h"
 #include "harness/formats/visibility.h"
 #include "harness/shared.h"

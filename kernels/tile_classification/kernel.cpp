@@ -38,7 +38,7 @@ Kernel describe() {
       .default_variant = "subgroup_or",
       .params = layout_of<ClassifyParams>(),
       .ports = {reads<uint>("features", pixels,
-                            {"gbuffer_update.features", "texturing.features", "material_features.features"}),
+                            {"gbuffer_update.features", "deferred_texturing.features", "material_features.features"}),
                 reads<Workload>("workloads", live_workloads), writes<uint>("masks", tiles),
                 writes<uint>("workload_tiles", list_entries), writes<WorkloadCount>("workload_counts", live_workloads),
                 writes<DispatchArgs>("workload_args", live_workloads),

@@ -1,6 +1,7 @@
 // Parameters of the visibility draw, and the second 64 bits of its fat variant.
 #ifndef VISIBILITY_LAYOUT_H
 #define VISIBILITY_LAYOUT_H
+#include "harness/formats/material.h"
 #include "harness/formats/scene.h"
 #include "harness/formats/visibility.h"
 #include "harness/shared.h"
