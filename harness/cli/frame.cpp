@@ -59,7 +59,7 @@ void must_have_view(const std::string& view) {
 
 void print(const Flags& f, const frame::Result& r, const fs::path& picture) {
   for (const auto& note : r.notes) fmt::print("note: {}\n", note);
-  if (f.explain) fmt::print("{}\n", frame::to_text(r.explanation));
+  if (f.explain) fmt::print("{}\n{}\n", frame::to_text(r.explanation), frame::to_text(r.memory));
   fmt::print("{}\n{}\n", frame::to_text(r.statistics), frame::times_to_text(r));
   fmt::print("wrote {}\n", picture.string());
 }
@@ -100,7 +100,7 @@ void add_frame(CLI::App& app, Action& action) {
       "Prints what tile classification saved and the time of every pass. Only what the scene needs is allocated and "
       "run;\n"
       "--explain prints every pass with the reason that it runs or is left out, and every resource with its bytes.",
-      {"assay frame", "assay frame --scene sponza.glb --size 1280x720 --view material",
+      {"assay frame", "assay frame --scene sponza.glb --size 1280x720 --exposure 1",
        "assay frame --scene bare --explain", "assay frame --camera 0,2,5,0,1,0 --view workload --out out/workload",
        "assay frame --variant visibility=fat --json out/frame.json"});
   command->add_option("--scene", f->scene, "bare, small, or a .gltf or .glb file")->capture_default_str();
@@ -109,12 +109,16 @@ void add_frame(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_option("--camera", f->camera, "Eye and target in metres, y up; the file's first camera by default")
       ->type_name("EX,EY,EZ,TX,TY,TZ");
+  command->add_option("--exposure", f->options.exposure_stops, "Stops brighter than the automatic exposure")
+      ->capture_default_str()
+      ->type_name("STOPS")
+      ->check(CLI::Range(-32.0, 32.0));
   command->add_option("--variant", f->variants, "Another variant of a kernel than its default, repeatable")
       ->type_name("KERNEL=VARIANT")
       ->allow_extra_args(false);
   command->add_flag("--explain", f->explain, "Also why each pass runs or is left out, and the bytes of each resource");
   command->add_option("--out", f->out, "Where frame.png goes")->capture_default_str()->type_name("DIR");
-  command->add_flag("--exr", f->exr, "The visibility buffer and depth as frame.exr too");
+  command->add_flag("--exr", f->exr, "Visibility, depth and radiance as frame.exr too");
   add_device_flags(command, f->common);
   add_json_flag(command, f->common, "Statistics, times and the explanation as JSON");
   command->callback([&action, f] { action = [f] { return run(*f); }; });
