@@ -80,6 +80,25 @@ TEST_F(Planted, NotANumber) {
 
 // Reflection refuses every shader and pass that could do it, so the input is exchanged under the checker's eyes.
 TEST_F(Planted, AnInputThatChangedIsAViolation) {
+// A target holds poison until a draw clears it or covers every pixel.
+TEST_F(Planted, ATargetsPixelThatIsNeitherClearedNorDrawnIsNoticed) {
+  const std::map<std::string, std::string> expected = {{"cleared", ""},
+                                                       {"colour_not_cleared", "colour: element 67 was not written"},
+                                                       {"depth_not_cleared", "depth: element 67 was not written"},
+                                                       {"not_drawn", "colour: element 0 was not written"}};
+  options_.trials = 0;
+  const check::KernelResult result =
+      check::check_kernel(device(), device_options(), options_, planted("check_targets"));
+  EXPECT_TRUE(result.complaints.empty()) << complaints_of({result});
+  ASSERT_EQ(result.variants.size(), expected.size());
+  for (const check::VariantResult& v : result.variants) {
+    const std::string& words = expected.at(v.name);
+    EXPECT_EQ(v.violations, words.empty() ? 0u : 1u) << v.name;
+    if (words.empty()) continue;
+    EXPECT_NE(v.failures.at(0).text.find(words), std::string::npos) << v.failures[0].text;
+  }
+}
+
   const Kernel& kernel = faults();
   check::Prepared prepared = check::prepare(kernel, kernel.inputs.hard.at(0).make(), device::info(*device()).traits);
   const device::Ports ports = device::make_ports(*device(), kernel, prepared.input);

@@ -226,8 +226,7 @@ Verdict judge_elements(const Bound& bound, const std::vector<Layout>& layouts, c
 }  // namespace
 
 Verdict judge(const Bound& bound, const std::vector<Layout>& layouts, const Expected& expected,
-              const std::vector<Bytes>& got, uint32_t poison) {
-  (void)poison;  // elements outside the live runs are misuse()'s affair
+              const std::vector<Bytes>& got) {
   if (!bound.unpack) return judge_elements(bound, layouts, expected, got);
   if (got.size() != 1) throw std::logic_error(name_of(bound) + ": only a single port is unpacked");
   return judge_elements(bound, {bound.unpack->layout}, expected, {bound.unpack->apply(got[0])});

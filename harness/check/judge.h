@@ -16,10 +16,9 @@ struct Verdict {
   uint64_t element = 0;  // the first violation's
 };
 
-// `got`: each of the bound's ports' payload. `poison`: the word that untouched elements hold.
-// An answer that does not fit the ports (sizes, runs past the end) throws std::logic_error: the oracle is at fault.
-Verdict judge(const Bound&, const std::vector<Layout>& layouts, const Expected&, const std::vector<Bytes>& got,
-              uint32_t poison);
+// `got`: each of the bound's ports' payload. Elements outside the live runs are the affair of misuse(). An answer that
+// does not fit the ports (sizes, runs past the end) throws std::logic_error: the oracle is at fault.
+Verdict judge(const Bound&, const std::vector<Layout>& layouts, const Expected&, const std::vector<Bytes>& got);
 
 // Live elements left as poison, and others touched: "element 12 was not written", "element 40 was written". Empty:
 // fine.

@@ -18,6 +18,9 @@ Prepared prepare(const Kernel&, Case, const DeviceTraits&);
 // differ in each byte, so that what equals both was never written.
 uint32_t poison_word(uint64_t seed, uint32_t choice);
 
+// What the port's words hold before a run. Depth images may hold only 0 to 1: theirs is in [0.75, 1), and as unlikely.
+uint32_t poison_of(const Port&, uint64_t seed, uint32_t choice);
+
 // The bounds that hold for the variant: those of ports that it has.
 std::vector<Bound> bounds_for(const Kernel&, const Variant&);
 
