@@ -98,9 +98,18 @@ void run_cases(KernelRun& run) {
 }
 
 void finish(KernelRun& run) {
-  judge_undecided(run);
+  judge_undecided(run, run.of_typical, "the typical input");
+  if (!run.options.seed && run.options.trials >= kTellingTrials) judge_undecided(run, run.of_trials, "random trials");
+  judge_default(run);
   const auto ran = [](const VariantState& s) { return s.result.skipped.empty(); };
   if (!std::ranges::any_of(run.variants, ran)) run.result.complaints.push_back("no variant can run on this device");
+// What users get unasked, the frame among them, must be held to its bounds.
+void judge_default(KernelRun& run) {
+  for (const Variant& v : run.kernel.variants)
+    if (v.baseline && v.name == run.kernel.default_variant)
+      run.result.complaints.push_back(fmt::format("the default variant, {}, is a baseline", v.name));
+}
+
   for (VariantState& state : run.variants) run.result.variants.push_back(std::move(state.result));
 }
 

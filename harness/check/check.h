@@ -39,8 +39,9 @@ struct VariantResult {
   bool baseline = false;
   std::string skipped;  // the reason; empty: it ran
   uint64_t trials = 0, cases = 0, violations = 0, judged = 0, undecided = 0;
-  uint64_t hard_undecided = 0;  // of the undecided, those in hard cases
-  uint64_t flaky = 0;           // device lost and repeated with success
+  uint64_t hard_undecided = 0;   // of the undecided, those in hard cases
+  uint64_t wrong = 0, nans = 0;  // elements outside their bound, and those of them that are NaN: a baseline's figures
+  uint64_t flaky = 0;            // device lost and repeated with success
   std::vector<BoundResult> bounds;
   std::vector<Failure> failures;  // the first ten, after which the variant is not run again
 };
@@ -66,6 +67,8 @@ struct MutantResult {
 std::vector<MutantResult> mutate(device::Handle&, const device::Options&, const std::vector<std::string>& kernels,
                                  uint32_t trials);
 std::vector<MutantResult> mutate_kernel(device::Handle&, const device::Options&, const Kernel&, uint32_t trials);
+// Nothing notices a baseline's values, so a mutant is not run in one if another variant compiles its file too; a mutant
+// of a file that only baselines compile must break memory safety to count as killed.
 
 // Case files: JSON, words in hexadecimal. Broken ones throw std::runtime_error with one line.
 void save_case(const std::filesystem::path&, const Kernel&, const Case&);

@@ -40,7 +40,15 @@ Elements elements_of(const std::vector<Layout>& layouts, const Expected& expecte
   return e;
 }
 
+bool is_nan_for_a_number(const Elements& e, uint64_t element, const std::byte* expected) {
+  return std::ranges::any_of(e.components, [&](const Component& c) {
+    return c.scalar == Scalar::f32 && std::isnan(float_at(got_at(e, element, c))) &&
+           !std::isnan(float_at(expected + c.joined));
+  });
+}
+
 void record(Verdict& v, const Elements& e, uint64_t element, const std::byte* expected, const std::string& note = {}) {
+  v.nans += is_nan_for_a_number(e, element, expected);
   if (v.violations++ != 0) return;
   std::vector<std::byte> joined(e.stride);
   join(e, element, joined.data());

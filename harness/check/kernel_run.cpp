@@ -42,6 +42,8 @@ void tally(KernelRun& run, VariantState& state, const Outcome& outcome, Kind kin
     bound.worst = std::max(bound.worst, v.worst);
     state.result.judged += v.judged;
     state.result.undecided += v.undecided;
+    state.result.wrong += v.violations;
+    state.result.nans += v.nans;
     if (kind == Kind::hard) state.result.hard_undecided += v.undecided;
     if (kind == Kind::hard || bounds[i].judge != Judge::between) continue;
     run.decidable += v.judged;

@@ -29,8 +29,10 @@ struct Fault {
   std::string text;  // empty: nothing is wrong
 };
 struct Outcome {
-  Fault memory;                   // a write outside: behind a port, to an input. Counts for baselines too
-  Fault wrong;                    // unwritten or touched elements, a broken bound
+  // Counts for baselines too: a write behind a port or to an input, an element that was not written though it must be
+  // whatever the values are. Where the oracle names live runs, which elements are live is itself a value.
+  Fault memory;
+  Fault wrong;                    // unwritten or touched elements of live runs, a broken bound
   std::vector<Verdict> verdicts;  // one a bound, in the bounds' order
   bool flaky = false;             // the device was lost once and the repeat went through
 };

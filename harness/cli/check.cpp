@@ -42,7 +42,9 @@ void must_have_case(const std::vector<const Kernel*>& kernels, const check::Opti
 std::string verdict_text(const check::VariantResult& v) {
   if (!v.skipped.empty()) return "skipped: " + v.skipped;
   std::string text = v.violations == 0 ? "ok" : fmt::format("{} VIOLATIONS", v.violations);
-  if (v.baseline) text = v.failures.empty() ? "baseline, held to memory safety only" : "baseline, UNSAFE";
+  if (v.baseline)
+    text = fmt::format("baseline, {}, {} of {} wrong, {} NaN",
+                       v.failures.empty() ? "held to memory safety only" : "UNSAFE", v.wrong, v.judged, v.nans);
   if (v.undecided) text += fmt::format(", {} of {} undecided", v.undecided, v.judged);
   if (v.flaky) text += fmt::format(", FLAKY: device lost and repeated {} times", v.flaky);
   return text;

@@ -67,13 +67,14 @@ Verified verify(device::Device& d, const Entry& e, const check::Prepared& prepar
   if (!result.refused.empty()) return result;
   const auto ports = device::make_ports(d, *e.kernel, prepared.input, {}, e.variant);
   const check::Outcome outcome = check::run_case(d, plan_of(e), prepared, ports, true);
-  const auto& bounds = bounds_of(*e.kernel, *e.variant);
+  const auto bounds = check::bounds_for(*e.kernel, *e.variant);
   for (size_t i = 0; i < bounds.size(); ++i) {
     const check::Verdict& v = outcome.verdicts.at(i);
     result.bounds.push_back({check::name_of(bounds[i]), bounds[i].limit, v.worst, bounds[i].reason});
     result.judged += v.judged;
     result.undecided += v.undecided;
     result.violations += v.violations;
+    result.nans += v.nans;
   }
   result.refused = check::fault_of(outcome, *e.variant).text;
   result.broken = !result.refused.empty();

@@ -36,7 +36,7 @@ struct Verified {
   std::string refused;  // why it is not timed: it cannot run here, or breaks its bound; empty: timed
   bool broken = false;  // refused because it is wrong
   std::vector<check::BoundResult> bounds;
-  uint64_t judged = 0, undecided = 0, violations = 0;
+  uint64_t judged = 0, undecided = 0, violations = 0, nans = 0;  // elements
 };
 // One run against an oracle's answer that serves every variant of the kernel at that extent.
 Verified verify(device::Device&, const Entry&, const check::Prepared&);
