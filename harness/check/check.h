@@ -11,6 +11,9 @@
 
 namespace assay::check {
 
+// Told of what is worked on and how much of it is done, for whoever waits.
+using Tell = std::function<void(const std::string& what, uint64_t done, uint64_t of)>;
+
 struct Options {
   std::vector<std::string> kernels = {};  // empty: all
   std::string variant = {};               // name or label; empty: all
@@ -21,7 +24,7 @@ struct Options {
   bool nightly = false;       // the large ones too, and oracles unsampled
   uint32_t extent_limit = 0;  // leaves out hard cases with more pixels a side; 0: none
   std::filesystem::path fixtures = "fixtures", failures = "out/failures";
-  std::function<void(const std::string& what, uint64_t done, uint64_t of)> progress = {};
+  Tell progress = {};
 };
 
 struct BoundResult {
@@ -66,6 +69,10 @@ struct MutantResult {
 // Each mutant in every variant that uses its file, against its named case first, then every hard case, then trials.
 std::vector<MutantResult> mutate(device::Handle&, const device::Options&, const std::vector<std::string>& kernels,
                                  uint32_t trials);
+std::vector<MutantResult> mutate(device::Handle&, const device::Options&, const std::vector<std::string>& kernels,
+                                 uint32_t trials, const Tell& = {});
+std::vector<MutantResult> mutate_kernel(device::Handle&, const device::Options&, const Kernel&, uint32_t trials,
+                                        const Tell& = {});
 std::vector<MutantResult> mutate_kernel(device::Handle&, const device::Options&, const Kernel&, uint32_t trials);
 // Nothing notices a baseline's values, so a mutant is not run in one if another variant compiles its file too; a mutant
 // of a file that only baselines compile must break memory safety to count as killed.

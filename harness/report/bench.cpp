@@ -89,7 +89,7 @@ const check::BoundResult* worst_bound(const std::vector<check::BoundResult>& bou
   return it == bounds.end() ? nullptr : &*it;
 }
 
-Run bench(device::Device& d, const std::vector<Entry>& entries, uint32_t count, const Tell& tell) {
+Run bench(device::Device& d, const std::vector<Entry>& entries, uint32_t count, const check::Tell& tell) {
   Run run;
   tell("yardsticks", 0, entries.size() + 1);
   run.yardsticks = measure_yardsticks(d, count);

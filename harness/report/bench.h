@@ -1,6 +1,5 @@
 // Times variants, each verified against the oracle in the same run, and sets their speed beside their error.
 #pragma once
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -62,9 +61,8 @@ struct Run {
   Yardsticks yardsticks;
   std::vector<Row> rows;
 };
-using Tell = std::function<void(const std::string& what, uint64_t done, uint64_t of)>;
 // `count` samples of each kind an entry.
-Run bench(device::Device&, const std::vector<Entry>&, uint32_t count, const Tell&);
+Run bench(device::Device&, const std::vector<Entry>&, uint32_t count, const check::Tell&);
 
 Table speed_table(const Run&, const device::Info&);
 // One kernel and extent after another: fastest first, the default and the Pareto front marked.
