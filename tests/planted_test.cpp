@@ -62,7 +62,7 @@ TEST_F(Planted, CorrectPasses) {
   const check::KernelResult result = run("correct", 20);
   EXPECT_TRUE(check::passed({result})) << complaints_of({result});
   const check::VariantResult& v = result.variants.at(0);
-  EXPECT_EQ(v.cases, 2u);
+  EXPECT_EQ(v.cases, 3u);  // two hard ones and the typical one
   EXPECT_EQ(v.trials, 20u);
   EXPECT_GT(v.judged, 2000u);
   EXPECT_EQ(v.bounds.at(0).worst, 0);
@@ -150,7 +150,7 @@ TEST_F(Planted, AFixtureRunsAsAHardCase) {
   fs::create_directories(options_.fixtures / "check_faults");
   fs::copy(v.failures.at(0).file, options_.fixtures / "check_faults" / "kept.case");
   const check::VariantResult all = run("wrong_value").variants.at(0);
-  EXPECT_EQ(all.cases, 3u);
+  EXPECT_EQ(all.cases, 4u);
   EXPECT_EQ(all.violations, 2u);
   options_.case_name = "kept";
   EXPECT_EQ(run("wrong_value").variants.at(0).violations, 1u);
@@ -168,6 +168,7 @@ TEST_F(Planted, AVariantThatKeepsFailingIsStopped) {
 Kernel undecided_kernel(double limit) {
   Kernel kernel = faults();
   kernel.bounds = {between({"list"}, "")};
+  kernel.undecided_limit = limit;
   kernel.oracle = [](const Case& c) {
     const auto values = c.input<uint32_t>("values");
     Expected e{.low = c.inputs.at("values"), .high = c.inputs.at("values")};
@@ -177,15 +178,37 @@ Kernel undecided_kernel(double limit) {
     ++*last;
     return Answer{{"list", e}};
   };
-  options_.variant = "correct";
-  options_.trials = 200;  // fewer are not judged
-  kernel.undecided_limit = 0;
-  EXPECT_FALSE(check::passed({check::check_kernel(device(), device_options(), options_, kernel)}));
-  kernel.undecided_limit = 1;
-  const check::KernelResult result = check::check_kernel(device(), device_options(), options_, kernel);
+  return kernel;
+}
+
+TEST_F(Planted, AnUndecidedOracleIsAComplaint) {
+  const auto checked = [&](const Kernel& kernel, uint32_t trials) {
+    options_.variant = "correct";
+    options_.trials = trials;
+    return check::check_kernel(device(), device_options(), options_, kernel);
+  };
+  Kernel kernel = undecided_kernel(0);
+  EXPECT_EQ(
+      checked(kernel, 0).complaints,
+      std::vector<std::string>{"1 of 4096 elements of the typical input are undecided, 0.000244; the limit is 0"});
+  kernel.typical = {};
+  EXPECT_TRUE(check::passed({checked(kernel, 199)})) << "so few trials are not judged";
+  const check::KernelResult judged = checked(kernel, 200);
+  ASSERT_EQ(judged.complaints.size(), 1u) << complaints_of({judged});
+  EXPECT_TRUE(judged.complaints[0].starts_with("200 of ")) << judged.complaints[0];
+  const check::KernelResult lenient = checked(undecided_kernel(1), 200);
+  EXPECT_TRUE(check::passed({lenient})) << complaints_of({lenient});
+  EXPECT_EQ(lenient.variants.at(0).undecided, 203u);  // one a case and trial
+  EXPECT_EQ(lenient.variants.at(0).hard_undecided, 2u);
+}
+
+TEST_F(Planted, TheTypicalInputIsACaseOfItsOwn) {
+  options_.case_name = "typical";
+  const check::KernelResult result = run("correct", 50);
   EXPECT_TRUE(check::passed({result})) << complaints_of({result});
-  EXPECT_EQ(result.variants.at(0).undecided, 202u);  // one a case and trial
-  EXPECT_EQ(result.variants.at(0).hard_undecided, 2u);
+  EXPECT_EQ(result.variants.at(0).cases, 1u);
+  EXPECT_EQ(result.variants.at(0).trials, 0u);
+  EXPECT_EQ(result.variants.at(0).judged, 2u * 64 * 64);
 }
 
 TEST_F(Planted, AnOracleThatSaysNothingIsAComplaint) {

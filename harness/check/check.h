@@ -17,10 +17,10 @@ using Tell = std::function<void(const std::string& what, uint64_t done, uint64_t
 struct Options {
   std::vector<std::string> kernels = {};  // empty: all
   std::string variant = {};               // name or label; empty: all
-  std::string case_name = {};             // a hard case, a fixture of the kernel, or a path to a case file; empty: all
-  std::optional<uint64_t> seed = {};      // one random trial
+  std::string case_name = {};  // a hard case, `typical`, a fixture of the kernel, or a path to a case file; empty: all
+  std::optional<uint64_t> seed = {};  // one random trial
   uint32_t trials = 50;
-  bool hard = true;           // run the hard cases
+  bool hard = true;           // run the hard cases and the typical input
   bool nightly = false;       // the large ones too, and oracles unsampled
   uint32_t extent_limit = 0;  // leaves out hard cases with more pixels a side; 0: none
   std::filesystem::path fixtures = "fixtures", failures = "out/failures";
@@ -67,15 +67,12 @@ struct MutantResult {
   std::string named;  // the case that the description says kills it: one killed by another is a complaint too
 };
 // Each mutant in every variant that uses its file, against its named case first, then every hard case, then trials.
-std::vector<MutantResult> mutate(device::Handle&, const device::Options&, const std::vector<std::string>& kernels,
-                                 uint32_t trials);
+// Nothing notices a baseline's values, so a mutant is not run in one if another variant compiles its file too; a mutant
+// of a file that only baselines compile must break memory safety to count as killed.
 std::vector<MutantResult> mutate(device::Handle&, const device::Options&, const std::vector<std::string>& kernels,
                                  uint32_t trials, const Tell& = {});
 std::vector<MutantResult> mutate_kernel(device::Handle&, const device::Options&, const Kernel&, uint32_t trials,
                                         const Tell& = {});
-std::vector<MutantResult> mutate_kernel(device::Handle&, const device::Options&, const Kernel&, uint32_t trials);
-// Nothing notices a baseline's values, so a mutant is not run in one if another variant compiles its file too; a mutant
-// of a file that only baselines compile must break memory safety to count as killed.
 
 // Case files: JSON, words in hexadecimal. Broken ones throw std::runtime_error with one line.
 void save_case(const std::filesystem::path&, const Kernel&, const Case&);
