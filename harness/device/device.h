@@ -175,8 +175,12 @@ struct Timing {
 // Records, submits and waits, 60 s at most. `queue` 1 is the second queue where there is one.
 Timing run(Device&, std::span<const Command>, uint32_t queue = 0);
 
-// ---- Test hook: the next `after`-th checked call whose expression contains `call` returns `result` (a VkResult).
-// --------- Present in builds with ASSAY_TESTS only.
+// ---- Test hooks, present in builds with ASSAY_TESTS only
+// -----------------------------------------------------------------------------------------------------------
+
+// The next `after`-th checked call whose expression contains `call` returns `result` (a VkResult).
 void inject_failure(const std::string& call, int32_t result, uint32_t after = 0);
+// How long run() waits in place of 60 s.
+void set_fence_wait(std::chrono::nanoseconds);
 
 }  // namespace assay::device
