@@ -132,6 +132,14 @@ TEST(Trials, PoisonIsNoPlausibleValue) {
       EXPECT_NE(word, 0xffffffffu);
     }
     for (uint32_t byte = 0; byte < 4; ++byte) EXPECT_NE(a >> (8 * byte) & 0xff, b >> (8 * byte) & 0xff);
+    const Port depth = writes_image("depth", Format::d32_float), colour = writes_image("colour", Format::r32_uint);
+    const uint32_t near = check::poison_of(depth, seed, 0), other = check::poison_of(depth, seed, 1);
+    EXPECT_NE(near, other);
+    for (const uint32_t word : {near, other}) {
+      EXPECT_GE(std::bit_cast<float>(word), 0.75f);
+      EXPECT_LT(std::bit_cast<float>(word), 1.0f);
+    }
+    EXPECT_EQ(check::poison_of(colour, seed, 1), b);
   }
 }
 

@@ -42,10 +42,13 @@ void tally(KernelRun& run, VariantState& state, const Outcome& outcome, Kind kin
     bound.worst = std::max(bound.worst, v.worst);
     state.result.judged += v.judged;
     state.result.undecided += v.undecided;
+    state.result.wrong += v.violations;
+    state.result.nans += v.nans;
     if (kind == Kind::hard) state.result.hard_undecided += v.undecided;
     if (kind == Kind::hard || bounds[i].judge != Judge::between) continue;
-    run.decidable += v.judged;
-    run.undecided += v.undecided;
+    Share& share = kind == Kind::typical ? run.of_typical : run.of_trials;
+    share.judged += v.judged;
+    share.undecided += v.undecided;
   }
   state.result.flaky += outcome.flaky;
 }
@@ -103,10 +106,11 @@ void collect_messages(KernelRun& run, VariantState& state, const device::Plan& p
 void run_variant(KernelRun& run, VariantState& state, const Prepared& prepared, device::Ports& ports,
                  const std::string& replay, Kind kind) {
   std::vector<std::map<std::string, uint32_t>> combinations = state.combinations;
+  if (kind == Kind::typical) combinations.resize(1);
   if (kind == Kind::trial) combinations = {combinations[prepared.input.seed % combinations.size()]};
   for (const auto& constants : combinations) {
     const device::Plan plan{.kernel = &run.kernel, .variant = state.variant, .constants = constants};
-    const Outcome outcome = attempt(run.session, plan, prepared, ports, kind == Kind::hard);
+    const Outcome outcome = attempt(run.session, plan, prepared, ports, kind != Kind::trial);
     tally(run, state, outcome, kind);
     const Fault& fault = fault_of(outcome, *state.variant);
     if (!fault.text.empty()) report(run, state, plan, prepared.input, fault, replay);

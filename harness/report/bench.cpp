@@ -67,13 +67,14 @@ Verified verify(device::Device& d, const Entry& e, const check::Prepared& prepar
   if (!result.refused.empty()) return result;
   const auto ports = device::make_ports(d, *e.kernel, prepared.input, {}, e.variant);
   const check::Outcome outcome = check::run_case(d, plan_of(e), prepared, ports, true);
-  const auto& bounds = bounds_of(*e.kernel, *e.variant);
+  const auto bounds = check::bounds_for(*e.kernel, *e.variant);
   for (size_t i = 0; i < bounds.size(); ++i) {
     const check::Verdict& v = outcome.verdicts.at(i);
     result.bounds.push_back({check::name_of(bounds[i]), bounds[i].limit, v.worst, bounds[i].reason});
     result.judged += v.judged;
     result.undecided += v.undecided;
     result.violations += v.violations;
+    result.nans += v.nans;
   }
   result.refused = check::fault_of(outcome, *e.variant).text;
   result.broken = !result.refused.empty();
@@ -88,7 +89,7 @@ const check::BoundResult* worst_bound(const std::vector<check::BoundResult>& bou
   return it == bounds.end() ? nullptr : &*it;
 }
 
-Run bench(device::Device& d, const std::vector<Entry>& entries, uint32_t count, const Tell& tell) {
+Run bench(device::Device& d, const std::vector<Entry>& entries, uint32_t count, const check::Tell& tell) {
   Run run;
   tell("yardsticks", 0, entries.size() + 1);
   run.yardsticks = measure_yardsticks(d, count);

@@ -20,9 +20,14 @@ std::string error_text(const Row& row) {
   return fmt::format("{} of {} ({})", number_text(worst->worst), number_text(worst->limit), worst->name);
 }
 
+std::string baseline_text(const Row& row) {
+  const Verified& v = row.verified;
+  return fmt::format("baseline, {} of {} wrong, {} NaN", v.violations, v.judged, v.nans);
+}
+
 std::string state_text(const Row& row) {
   if (!row.verified.refused.empty()) return (row.verified.broken ? "NOT TIMED: " : "skipped: ") + row.verified.refused;
-  std::string text = row.entry.variant->baseline ? "baseline" : row.entry.is_default ? "default" : "";
+  std::string text = row.entry.variant->baseline ? baseline_text(row) : row.entry.is_default ? "default" : "";
   if (!row.cold_enough) text += text.empty() ? "fits the cache" : ", fits the cache";
   return text;
 }
@@ -95,7 +100,7 @@ Table speed_against_error_table(const Run& run) {
       const Verified& v = r->verified;
       std::string marks = on_front(*r, plot) ? "front" : "";
       if (r->entry.is_default) marks += marks.empty() ? "default" : ", default";
-      if (r->entry.variant->baseline) marks += marks.empty() ? "baseline" : ", baseline";
+      if (r->entry.variant->baseline) marks += (marks.empty() ? "" : ", ") + baseline_text(*r);
       t.rows.push_back({r->entry.kernel->name, size_text(r->entry.extent), label_of(r->entry),
                         time_text(headline_ns(*r)), percent_text(share_of_limit(*r)), bytes_text(bytes_of(*r)),
                         error_text(*r), fmt::format("{} of {}", v.undecided, v.judged), marks});

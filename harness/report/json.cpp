@@ -64,6 +64,7 @@ Json row_json(const Row& r) {
             {"undecided", v.undecided},
             {"violations", v.violations},
             {"bounds", bounds_json(v.bounds)},
+            {"nans", v.nans},
             {"bytes_read", r.cost.bytes_read},
             {"bytes_written", r.cost.bytes_written},
             {"operations", r.cost.operations}};
@@ -85,9 +86,11 @@ Json variant_json(const check::VariantResult& v) {
   Json failures = Json::array();
   for (const auto& f : v.failures)
     failures.push_back({{"text", f.text}, {"replay", f.replay}, {"file", f.file.string()}});
-  return {{"name", v.name},   {"baseline", v.baseline},          {"skipped", v.skipped}, {"trials", v.trials},
-          {"cases", v.cases}, {"violations", v.violations},      {"judged", v.judged},   {"undecided", v.undecided},
-          {"flaky", v.flaky}, {"bounds", bounds_json(v.bounds)}, {"failures", failures}};
+  return {{"name", v.name},      {"baseline", v.baseline},   {"skipped", v.skipped},
+          {"trials", v.trials},  {"cases", v.cases},         {"violations", v.violations},
+          {"judged", v.judged},  {"undecided", v.undecided}, {"wrong", v.wrong},
+          {"nans", v.nans},      {"flaky", v.flaky},         {"bounds", bounds_json(v.bounds)},
+          {"failures", failures}};
 }
 
 const char* name_of_use(Use u) { return u == Use::reads ? "reads" : u == Use::writes ? "writes" : "updates"; }
