@@ -170,9 +170,10 @@ Scene small() {
 Scene load(const std::string& name_or_file) {
   if (name_or_file == "bare") return bare();
   if (name_or_file == "small") return small();
+  if (name_or_file == "default") return default_scene();
   if (!std::filesystem::is_regular_file(name_or_file))
     throw std::runtime_error(
-        fmt::format("{}: no such scene; give a .gltf or .glb file, or bare or small", name_or_file));
+        fmt::format("{}: no such scene; give a .gltf or .glb file, or bare, small or default", name_or_file));
   return load_gltf(name_or_file);
 }
 
