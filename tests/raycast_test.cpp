@@ -108,7 +108,7 @@ std::string as_name(const testing::TestParamInfo<const char*>& info) {
   return name.substr(0, name.find('.'));
 }
 INSTANTIATE_TEST_SUITE_P(Scenes, Raycast,
-                         testing::Values("bare", "small", "sponza.glb", "flight_helmet.glb", "skull.glb",
+                         testing::Values("bare", "small", "default", "sponza.glb", "flight_helmet.glb", "skull.glb",
                                          "two_cylinder_engine.glb", "eztree_grove.glb"),
                          as_name);
 

@@ -101,9 +101,10 @@ void add_frame(CLI::App& app, Action& action) {
       "run;\n"
       "--explain prints every pass with the reason that it runs or is left out, and every resource with its bytes.",
       {"assay frame", "assay frame --scene sponza.glb --size 1280x720 --exposure 1",
-       "assay frame --scene bare --explain", "assay frame --camera 0,2,5,0,1,0 --view workload --out out/workload",
+       "assay frame --scene default --view wave", "assay frame --scene bare --explain",
+       "assay frame --camera 0,2,5,0,1,0 --view workload --out out/workload",
        "assay frame --variant visibility=fat --json out/frame.json"});
-  command->add_option("--scene", f->scene, "bare, small, or a .gltf or .glb file")->capture_default_str();
+  command->add_option("--scene", f->scene, "bare, small, default, or a .gltf or .glb file")->capture_default_str();
   command->add_option("--size", f->size, "Pixels")->capture_default_str()->type_name("WxH");
   command->add_option("--view", f->options.view, fmt::format("{}", fmt::join(frame::view_names(), ", ")))
       ->capture_default_str();
