@@ -106,7 +106,7 @@ std::vector<HardCase> size_cases() {
           {"block_and_one", "three more blocks for one row and one column", at({129, 129})},
           {"odd_extent", "rows that start in the middle of a subgroup of any width", at({31, 33})},
           {"wide", "width and height cannot be swapped", at({500, 3})},
-          {"many_blocks", "more blocks than threads in the last pass", at({16384, 390})},
+          {"many_blocks", "more blocks than threads in the last pass", at({11009, 257})},
           {"full_hd_and_one", "an odd extent of real size", at({1921, 1081})},
           {"ultra_hd", "3840x2160, the largest frame", at({3840, 2160}), true}};
 }

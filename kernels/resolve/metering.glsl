@@ -23,7 +23,9 @@ PartialSum metered(uvec2 pixel) {
 #ifndef MUTANT_3  // what is no number counts
   if (!is_finite(texel.r + texel.g + texel.b)) return nothing;
 #endif
-  const float luminance = dot(max(texel.rgb, 0.0), vec3(kLuminanceRed, kLuminanceGreen, kLuminanceBlue));
+  // `precise`: nothing is fused, so that the mean has the same bits on every device.
+  const vec3 c = max(texel.rgb, 0.0);
+  precise const float luminance = kLuminanceRed * c.r + kLuminanceGreen * c.g + kLuminanceBlue * c.b;
   if (params.metering == kMeterMean) return PartialSum(luminance, 1u);
 #ifdef MUTANT_4  // the logarithm of 0
   return PartialSum(log2(luminance), 1u);
