@@ -273,10 +273,16 @@ std::vector<HardCase> hostile_cases() {
          for (const float small : {1e-30f, 1e-40f}) p.lights.push_back(point({0, 0, -2}, 4, vec3(small)));
          return p;
        })},
-      {"too_bright", "more than a half holds, and sums past the largest float: 65504", made([] {
+      {"too_bright", "more than a half holds: 65504", made([] {
          Picture p = wall({33, 33});
-         p.lights = {point({0, 0, -2}, 4, vec3(1e5f, 3e6f, 1)), point({1, 0, -2}, 0, vec3(1e30f, 0, 0)),
-                     point({1, 1, -2}, 0, vec3(0, 3e38f, 3e38f)), directional({0, 0, -1}, vec3(1e34f, 1e6f, 0))};
+         p.lights = {point({0, 0, -2}, 4, vec3(1e5f, 3e6f, 1)), directional({0, 0, -1}, vec3(1, 1e9f, 4e5f))};
+         return p;
+       })},
+      {"overflowing", "sums past the largest float, and a direction whose square is: no infinity, no NaN", made([] {
+         Picture p = wall({33, 33});
+         p.lights = {point({1, 0, -2}, 0, vec3(1e30f, 0, 0)), point({1, 1, -2}, 0, vec3(0, 3e38f, 3e38f)),
+                     directional({0, 0, -1}, vec3(1e34f, 1e6f, 0)), directional({0, 0, -1}, vec3(1))};
+         p.lights.back().direction = vec3(1e20f, -1, -3e38f);
          return p;
        })},
       {"negative_light", "a light of negative colour darkens, and nothing falls below 0", made([] {
