@@ -5,8 +5,10 @@ namespace assay::shading {
 namespace {
 
 const Interval kOverPi = bounded::rounded(exactly(1 / 3.14159265358979323846), 1);
-constexpr double kMayOverflow = 1e30;  // times any factor of the model, 3e8 at most: still far from 3.4e38
-constexpr double kFar = 1e18;          // metres; its square still is a float
+// The lobes' factors are 2e11 at most (D 8e4, V 3e6), times the length of a direction that should be 1. Past these an
+// infinity may appear on the way to a finite answer.
+constexpr double kMayOverflow = 1e16, kLongDirection = 1e10;
+constexpr double kFar = 1e18;  // metres; its square still is a float
 
 bool finite(const vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 Interval one_minus(Interval a) { return exactly(1) - a; }
@@ -40,7 +42,8 @@ Interval cone_window(Interval cosine, const LightRecord& light) {
   if (!finite(light.direction) || !std::isfinite(light.cone_scale) || !std::isfinite(light.cone_offset))
     return exactly(0);
   const Interval t = cosine * exactly(light.cone_scale) + exactly(light.cone_offset);
-  if (std::max(std::fabs(t.low), std::fabs(t.high)) > 1e37) return {0, 1};
+  const auto magnitude = [](Interval i) { return std::max(std::fabs(i.low), std::fabs(i.high)); };
+  if (std::max(magnitude(t), magnitude(cosine)) > 1e37) return {0, 1};
   return square(clamped(t, 0, 1));
 }
 
@@ -115,6 +118,9 @@ Interval unorm8(uint32_t code) { return bounded::rounded(exactly(code / 255.0), 
 
 Colour shade(const OracleSurface& s, const LightRecord& light) {
   if (!sheds_light(light)) return kBlack;
+  // Of a direction so long, sums of products overflow to whatever they meet: no light, or any.
+  if (light.kind == kLightDirectional && glm::length(glm::dvec3(light.direction)) > kLongDirection)
+    return colour(light.colour) * Interval{0, bounded::kInfinite};
   const Arriving in = arriving(s.position, light);
   const Interval n_dot_l = dot(s.normal, in.direction);
   double most = 0;

@@ -70,7 +70,7 @@ Lit start(uvec2 pixel, float d) {
 }
 
 void store(uvec2 pixel, vec3 colour) {
-#ifdef MUTANT_5  // an infinity where halves end
+#ifdef MUTANT_5  // neither held above 0 nor below infinity
   imageStore(radiance, ivec2(pixel), vec4(colour, 1.0));
 #else
   imageStore(radiance, ivec2(pixel), vec4(storable(colour), 1.0));
