@@ -1,4 +1,11 @@
-// Where a tile's groups lie in the lists, and writing them.
+// A group a tile: counts it again, as the count did, and writes its entries. The tiles are walked backwards, so that what
+// the count read last, and the cache may still hold, is read first.
+#include "kernels/pixel_commands/common.glsl"
+#include "kernels/pixel_commands/pixels.glsl"
+#include "kernels/pixel_commands/table.glsl"
+#include "kernels/pixel_commands/match_runs.glsl"
+#include "kernels/pixel_commands/groups.glsl"
+
 READS(3, TileCommands, tiles);
 READS(4, ShaderCommands, shaders);
 WRITES(6, uint, entries);
@@ -97,12 +104,15 @@ bool arrange_tile(uint tile) {
 }
 
 void write_pixels(uint tile) {
+  uint run = 0u;
   for (uint i = 0u; i < kPixelsPerThread; ++i) {
-    if (placed[i] == kFree) continue;
-    const uint first = place_at[placed[i] >> kSlotBits];
+    if (i >= run_end[run]) ++run;
+    const uint place = run_place[run];
+    if (place == kFree) continue;
+    const uint first = place_at[place >> kSlotBits];
     if (first == kNowhere) continue;
-    const uint entry = first + (placed[i] & kTilePixels - 1u);
-    entries[entry] = entry_of(pixel_of_tile(tile, pixel_of_thread(i), params.width));
+    const uint within = (place & kTilePixels - 1u) + i - (run > 0u ? run_end[run - 1u] : 0u);
+    entries[first + within] = entry_of(pixel_of_tile(tile, pixel_of_thread(i), params.width));
   }
 }
 
@@ -142,4 +152,12 @@ void write_commands(uint tile) {
       fill_rest(s, tile);
     }
   }
+}
+
+void main() {
+  const uint tile = tile_count(extent()) - 1u - spread_group();  // past the end it wraps
+  if (!arrange_tile(tile)) return;
+  write_pixels(tile);
+  write_waves(tile);
+  write_commands(tile);
 }
