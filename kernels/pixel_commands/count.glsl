@@ -2,7 +2,7 @@
 #include "kernels/pixel_commands/common.glsl"
 #include "kernels/pixel_commands/pixels.glsl"
 #include "kernels/pixel_commands/table.glsl"
-#include "kernels/pixel_commands/match_runs.glsl"
+#include "kernels/pixel_commands/match.glsl"
 #include "kernels/pixel_commands/groups.glsl"
 
 WRITES(3, TileCommands, tiles);
