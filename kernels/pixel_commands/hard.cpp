@@ -108,6 +108,11 @@ std::vector<HardCase> materials() {
        [] {
          return to_case(all_apart({64, 32}, 1, 2, [](uint) { return SurfaceSlot{0, 1}; }));
        }},
+      {"forty_surfaces", "every subgroup has pixels of surfaces that several others place",
+       [] {
+         return to_case(
+             drawn(of_materials({64, 32}, 40, 20), [](uint32_t x, uint32_t y) { return (x * 7 + y * 3) % 40; }));
+       }},
       {"materials_4096", "one shader of 4096 materials, a hundred in each tile, in no order",
        [] {
          return to_case(drawn(of_materials({160, 96}, 4096, 4096), [](uint32_t x, uint32_t y) {
@@ -325,8 +330,8 @@ std::vector<Mutant> mutants() {
       {"pixels.glsl", 3, "the flags stay in the index", "flags"},
       {"pixels.glsl", 4, "the last surface is out of range", "last_surface"},
       {"pixels.glsl", 5, "an unregistered material is taken for the last", "unregistered_material"},
-      {"table.glsl", 6, "a slot is taken without an atomic", "every_pixel_another_surface"},
-      {"table.glsl", 8, "the atomic of a surface's count is lost", "one_material"},
+      {"table.glsl", 6, "a slot is taken without an atomic", "one_material"},
+      {"match_runs.glsl", 8, "the atomic of a surface's count is lost", "one_material"},
       {"groups.glsl", 9, "a surface's place counts its own pixels", "two_surfaces"},
       {"groups.glsl", 10, "several surfaces pass for one", "two_surfaces"},
       {"groups.glsl", 11, "the barrier before the keys is dropped", "high_lanes"},
@@ -338,7 +343,7 @@ std::vector<Mutant> mutants() {
       {"room.glsl", 17, "the last wave of an overflow is not filled up", "unpadded_shaders"},
       {"scatter.glsl", 18, "uniform and divergent waves are mixed", "uniform_after_divergent"},
       {"scatter.glsl", 19, "the pixels of padded tiles leave a hole in the overflow", "half_padded"},
-      {"scatter.glsl", 20, "the barrier before the pixels is dropped", "every_pixel_another_surface"},
+      {"scatter.glsl", 20, "the barrier before the pixels is dropped", "forty_surfaces"},
       {"scatter.glsl", 21, "a full last wave is followed by one of padding", "one_material"},
       {"commands.glsl", 22, "every command takes its row's first place", "one_material"},
       {"commands.glsl", 23, "the commands of a tile start where the first did", "all_digits"},

@@ -19,16 +19,31 @@ Groups per_tile(const Case& c) { return spread_groups(tiles(c)); }
 Groups per_shader(const Case& c) { return {live_shaders(c)}; }
 Groups once(const Case&) { return {1}; }
 
-Extent copies_extent(const Case& c) { return c.params<CommandParams>().copies ? c.extent : Extent{1, 1}; }
+// Pixels with copy bits have passes of their own: those of the other kind have no groups, and bind nothing.
+bool has_copies(const Case& c) { return c.params<CommandParams>().copies != 0; }
+Groups per_tile_plain(const Case& c) { return has_copies(c) ? Groups{0, 1, 1} : per_tile(c); }
+Groups per_tile_copied(const Case& c) { return has_copies(c) ? per_tile(c) : Groups{0, 1, 1}; }
+std::vector<Pass> a_tile(const std::string& shader) {
+  return {Dispatch{shader + ".comp", per_tile_plain}, Dispatch{shader + "_copies.comp", per_tile_copied}};
+}
+std::vector<Pass> in_order(std::initializer_list<std::vector<Pass>> parts) {
+  std::vector<Pass> passes;
+  for (const auto& part : parts) passes.insert(passes.end(), part.begin(), part.end());
+  return passes;
+}
+
+std::vector<Pass> offsets() { return {Dispatch{"scan.comp", per_shader}, Dispatch{"rows.comp", once}}; }
+
+Extent copies_extent(const Case& c) { return has_copies(c) ? c.extent : Extent{1, 1}; }
 
 Port copy_bits() {
-  Port port = reads_image("copy_bits", Format::r8_uint);
+  Port port = reads_image("copy_bits", Format::r8_uint, {"vrcs_coordinates.copy_bits"});
   port.extent = copies_extent;
   return port;
 }
 
 Cost cost(const Case& c) {
-  return {.bytes_read = pixels(c) * sizeof(uvec2) + surfaces(c) * sizeof(SurfaceSlot) + pixel_count(copies_extent(c)),
+  return {.bytes_read = pixels(c) * sizeof(uvec2) + surfaces(c) * sizeof(SurfaceSlot) + (has_copies(c) ? pixels(c) : 0),
           .bytes_written = entries(c) * sizeof(uint) + waves(c) * (sizeof(uint) + sizeof(WaveMaterial)) +
                            tile_shaders(c) * sizeof(TileCommands) + shaders(c) * sizeof(ShaderCommands) +
                            rows(c) * (sizeof(CommandRow) + sizeof(DispatchArgs)) + sizeof(CommandStatus),
@@ -50,8 +65,7 @@ Kernel describe() {
                 writes<uint>("commands", waves), writes<WaveMaterial>("wave_materials", waves),
                 writes<CommandStatus>("status", fixed(1)), writes<uint>("entries", entries)},
       .variants = {{.name = "tile_local",
-                    .passes = {Dispatch{"count.comp", per_tile}, Dispatch{"scan.comp", per_shader},
-                               Dispatch{"rows.comp", once}, Dispatch{"scatter.comp", per_tile}},
+                    .passes = in_order({a_tile("count"), offsets(), a_tile("scatter")}),
                     .constants = {{"THREADS", {64, 256}}},
                     .note = "a tile's surfaces in shared memory, counted twice"}},
       .oracle = list_pixels,

@@ -1,9 +1,12 @@
 // The surface of a pixel, and the (shader, material) that it has.
 layout(binding = 0) uniform utexture2D visibility;
 READS(1, SurfaceSlot, surface_slots);
+#ifdef COPY_BITS  // passes of their own: only they bind the image, and only they run where there is one
 layout(binding = 2) uniform utexture2D copy_bits;
-
-uint copy_bits_of(uvec2 pixel) { return params.copies != 0u ? texelFetch(copy_bits, ivec2(pixel), 0).x : 0u; }
+uint copy_bits_of(uvec2 pixel) { return texelFetch(copy_bits, ivec2(pixel), 0).x; }
+#else
+uint copy_bits_of(uvec2 pixel) { return 0u; }
+#endif
 
 uint surface_of_pixel(uvec2 pixel) {
   if (!on_screen(pixel, extent())) return kNoSurface;

@@ -13,7 +13,13 @@ WRITES(2, CommandRow, command_rows);
 
 shared uvec2 sums[2][kThreads];  // pixels, waves
 
-uint all_waves(uint word) { return (word & 0xffffu) + (word >> 16u); }
+uint all_waves(uint word) {
+#ifdef MUTANT_14  // divergent waves do not count
+  return word & 0xffffu;
+#else
+  return (word & 0xffffu) + (word >> 16u);
+#endif
+}
 
 // Sums of the threads before; log2 of the threads in steps, each from one half of `sums` to the other.
 uvec2 sums_before(uint thread, uvec2 own, out uvec2 total) {
@@ -53,11 +59,7 @@ void main() {
     tiles[at].waves_before = before.y;
     const uint waves = tiles[at].waves;
     add_digits(waves);
-#ifdef MUTANT_14  // divergent waves do not count
-    before += uvec2(tiles[at].pixels, waves & 0xffffu);
-#else
     before += uvec2(tiles[at].pixels, all_waves(waves));
-#endif
   }
   barrier();
   if (thread == 0u) shaders[shader] = ShaderCommands(total.y, total.x, 0u, 0u, 0u);  // rows.comp makes offsets of it

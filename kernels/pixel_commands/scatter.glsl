@@ -1,15 +1,19 @@
-// Where a tile's groups lie in the lists, and writing them.
+// A group a tile: counts it again, as the count did, and writes its entries. The tiles are walked backwards, so that what
+// the count read last, and the cache may still hold, is read first.
+#define SCATTERS
+#include "kernels/pixel_commands/common.glsl"
+#include "kernels/pixel_commands/pixels.glsl"
+#include "kernels/pixel_commands/table.glsl"
+#include "kernels/pixel_commands/match.glsl"
+#include "kernels/pixel_commands/groups.glsl"
+
 READS(3, TileCommands, tiles);
 READS(4, ShaderCommands, shaders);
-WRITES(6, uint, entries);
 WRITES(8, WaveMaterial, wave_materials);
 UPDATES(9, CommandStatus, status);
 #include "kernels/pixel_commands/commands.glsl"
 
-const uint kNowhere = 0xffffffffu;
-
 shared uint group_wave[kTilePixels];  // a used slot: first wave of its group; kNowhere unless it is padded
-shared uint place_at[kTilePixels];    // a slot: entry of its first pixel; kNowhere where there is no room
 
 struct Before {  // of the groups of the same shader in the same tile
   uint waves, pixels;
@@ -96,16 +100,6 @@ bool arrange_tile(uint tile) {
   return true;
 }
 
-void write_pixels(uint tile) {
-  for (uint i = 0u; i < kPixelsPerThread; ++i) {
-    if (placed[i] == kFree) continue;
-    const uint first = place_at[placed[i] >> kSlotBits];
-    if (first == kNowhere) continue;
-    const uint entry = first + (placed[i] & kTilePixels - 1u);
-    entries[entry] = entry_of(pixel_of_tile(tile, pixel_of_thread(i), params.width));
-  }
-}
-
 // Fills the last wave of each group up, and says which material its waves have. A wave's lanes each, side by side.
 void write_waves(uint tile) {
   for (uint work = gl_LocalInvocationID.x; work < used << wave_log2(); work += THREADS) {
@@ -142,4 +136,12 @@ void write_commands(uint tile) {
       fill_rest(s, tile);
     }
   }
+}
+
+void main() {
+  const uint tile = tile_count(extent()) - 1u - spread_group();  // past the end it wraps
+  if (!arrange_tile(tile)) return;
+  write_pixels();
+  write_waves(tile);
+  write_commands(tile);
 }
