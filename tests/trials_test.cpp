@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "harness/check/cases.h"
+#include "harness/check/kernel_run.h"
 #include "harness/check/run_case.h"
 #include "harness/check/shrink.h"
 
@@ -122,6 +123,17 @@ TEST(Trials, ShrinkingEndsAndOutlivesExceptions) {
   EXPECT_EQ(asked, 5u);
   EXPECT_EQ(shrunk.steps, 0u);
   EXPECT_EQ(shrunk.input.inputs, list_case().inputs);
+}
+
+TEST(Trials, ProgressOfSeveralKernelsIsOneBar) {
+  std::vector<std::string> told;
+  const check::Tell tell = [&](const std::string& what, uint64_t done, uint64_t of) {
+    told.push_back(what + " " + std::to_string(done) + "/" + std::to_string(of));
+  };
+  check::part_of(tell, 1, 3)("visibility", 50, 100);
+  check::part_of(tell, 0, 1)("visibility", 50, 100);
+  EXPECT_EQ(told, (std::vector<std::string>{"visibility (2 of 3) 150/300", "visibility 50/100"}));
+  EXPECT_FALSE(check::part_of({}, 1, 3)) << "nobody is told";
 }
 
 TEST(Trials, PoisonIsNoPlausibleValue) {

@@ -172,8 +172,12 @@ KernelResult check_kernel(device::Handle& handle, const device::Options& device_
 
 std::vector<KernelResult> check(device::Handle& handle, const device::Options& device_options, const Options& options) {
   std::vector<KernelResult> results;
-  for (const Kernel* kernel : selected(options))
-    results.push_back(check_kernel(handle, device_options, options, *kernel));
+  const auto kernels = selected(options);
+  for (const Kernel* kernel : kernels) {
+    Options mine = options;
+    mine.progress = part_of(options.progress, results.size(), kernels.size());
+    results.push_back(check_kernel(handle, device_options, mine, *kernel));
+  }
   return results;
 }
 

@@ -15,6 +15,13 @@ bool is_selected(const Variant& variant, const std::string& wanted) {
   return false;
 }
 
+Tell part_of(const Tell& tell, size_t part, size_t of) {
+  if (!tell || of < 2) return tell;
+  return [&tell, part, of](const std::string& what, uint64_t done, uint64_t whole) {
+    tell(fmt::format("{} ({} of {})", what, part + 1, of), part * whole + done, of * whole);
+  };
+}
+
 KernelRun start(Session session, const Options& options, const Kernel& kernel) {
   KernelRun run{session, options, kernel, {.name = kernel.name}, {}};
   for (const Variant& variant : kernel.variants) {

@@ -32,6 +32,9 @@ struct KernelRun {
   Share of_typical, of_trials;  // over the variants
 };
 
+// Of `of` equal parts of the work, the progress of part `part`, from 0.
+Tell part_of(const Tell&, size_t part, size_t of);
+
 // The kernel's selected variants, those that cannot run here marked with the reason.
 KernelRun start(Session, const Options&, const Kernel&);
 bool is_selected(const Variant&, const std::string& name_or_label);

@@ -132,8 +132,9 @@ std::vector<MutantResult> mutate(device::Handle& handle, const device::Options& 
   if (kernels.empty())
     for (const Kernel& kernel : all_kernels()) chosen.push_back(&kernel);
   std::vector<MutantResult> results;
-  for (const Kernel* kernel : chosen)
-    std::ranges::move(mutate_kernel(handle, device_options, *kernel, trials, tell), std::back_inserter(results));
+  for (size_t i = 0; i < chosen.size(); ++i)
+    std::ranges::move(mutate_kernel(handle, device_options, *chosen[i], trials, part_of(tell, i, chosen.size())),
+                      std::back_inserter(results));
   return results;
 }
 
