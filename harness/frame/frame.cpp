@@ -35,7 +35,7 @@ constexpr View kViews[] = {
 constexpr const char* kRadiance = "deferred_lighting.radiance";
 // Beside the goals: what legends, statistics and layers are made of.
 constexpr const char* kDownloads[] = {"visibility.visibility", "visibility.depth", "tile_classification.masks",
-                                      kRadiance, "resolve.exposure"};
+                                      kRadiance, kCommandStatus};
 constexpr uint32_t kLargestSide = 16384;  // that every Vulkan 1.3 device renders to, lavapipe included
 
 struct Prepared {
