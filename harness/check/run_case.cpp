@@ -107,7 +107,7 @@ ReadBack read_judged(const Run& run) {
 }
 
 const Expected& expected_of(const Run& run, const Bound& bound) {
-  const auto it = run.prepared.answer.find(bound.ports.at(0));
+  const auto it = run.prepared.answer.find(bound.answer.empty() ? bound.ports.at(0) : bound.answer);
   if (it == run.prepared.answer.end())
     throw std::logic_error(fmt::format("{}: the oracle says nothing of {}", run.plan.kernel->name, name_of(bound)));
   return it->second;

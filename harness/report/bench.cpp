@@ -38,6 +38,12 @@ void time_row(device::Device& d, Run& run, Row& row, const Case& c, uint32_t cou
   row.limit_ns = limit_ns(run.yardsticks, row.copy, row.cost, row.dispatches);
 }
 
+// Errors are of inputs of their own, the same at every extent that is timed.
+bool is_first_extent(const std::vector<Entry>& entries, const Entry& e) {
+  const auto first = std::ranges::find(entries, e.kernel, &Entry::kernel);
+  return first->extent.width == e.extent.width && first->extent.height == e.extent.height;
+}
+
 bool same_input(const Entry& a, const Entry& b) {
   return a.kernel == b.kernel && a.extent.width == b.extent.width && a.extent.height == b.extent.height;
 }
@@ -104,6 +110,11 @@ Run bench(device::Device& d, const std::vector<Entry>& entries, uint32_t count, 
     row.cost = e.kernel->cost(prepared.input);
     if (row.verified.refused.empty()) time_row(d, run, row, prepared.input, count);
     run.rows.push_back(std::move(row));
+    if (is_first_extent(entries, e)) {
+      auto errors = measure_errors(d, *e.kernel, *e.variant, e.constants);
+      run.errors.insert(run.errors.end(), std::make_move_iterator(errors.begin()),
+                        std::make_move_iterator(errors.end()));
+    }
   }
   return run;
 }

@@ -7,6 +7,7 @@
 
 #include "harness/check/check.h"
 #include "harness/check/run_case.h"
+#include "harness/report/errors.h"
 #include "harness/report/table.h"
 #include "harness/report/yardsticks.h"
 
@@ -60,6 +61,7 @@ const check::BoundResult* worst_bound(const std::vector<check::BoundResult>&);
 struct Run {
   Yardsticks yardsticks;
   std::vector<Row> rows;
+  std::vector<ErrorRow> errors;  // of kernels that have an error table
 };
 // `count` samples of each kind an entry.
 Run bench(device::Device&, const std::vector<Entry>&, uint32_t count, const check::Tell&);
@@ -68,5 +70,7 @@ Table speed_table(const Run&, const device::Info&);
 // One kernel and extent after another: fastest first, the default and the Pareto front marked.
 Table speed_against_error_table(const Run&);
 std::string yardsticks_text(const Run&);
+// A kernel's errors by class of inputs, beside its times at the first extent; empty where it reports none.
+Table error_table(const Run&, const Kernel&);
 
 }  // namespace assay::report

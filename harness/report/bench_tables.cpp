@@ -110,6 +110,17 @@ Table speed_against_error_table(const Run& run) {
   return t;
 }
 
+Table error_table(const Run& run, const Kernel& kernel) {
+  std::vector<ErrorRow> rows;
+  for (const ErrorRow& r : run.errors)
+    if (r.kernel == &kernel) rows.push_back(r);
+  std::map<std::string, SpeedAndSize> beside;
+  for (const Row& r : run.rows)
+    if (r.entry.kernel == &kernel && r.verified.refused.empty())
+      beside.try_emplace(label_of(r.entry), SpeedAndSize{headline_ns(r), bytes_of(r)});
+  return error_table(rows, beside);
+}
+
 std::string yardsticks_text(const Run& run) {
   std::string text = fmt::format("this device: empty dispatch {}, multiply and add {:.3g} Gop/s",
                                  time_text(run.yardsticks.empty_ns), run.yardsticks.operations_per_s / 1e9);

@@ -119,6 +119,13 @@ Json listed_variant(const Kernel& k, const Variant& v, const std::string& label)
           {"bounds", bounds}};
 }
 
+Json error_json(const ErrorRow& r) {
+  Json figures = Json::object();
+  for (const Figure& f : r.figures)
+    figures[f.quantity] = {{"value", number(f.value)}, {"goal", f.limit != 0 ? number(f.limit) : Json()}};
+  return {{"kernel", r.kernel->name}, {"variant", r.label}, {"class", r.input_class}, {"figures", figures}};
+}
+
 }  // namespace
 
 const char* commit() { return kCommit; }
@@ -188,13 +195,12 @@ Json to_json(const std::vector<check::MutantResult>& mutants) {
 }
 
 Json to_json(const Run& run, const device::Info& info) {
-  Json rows = Json::array();
+  Json rows = Json::array(), errors = Json::array();
   for (const Row& r : run.rows) rows.push_back(row_json(r));
-  return {{"time", utc_now()},
-          {"commit", commit()},
-          {"device", to_json(info)},
-          {"yardsticks", yardsticks_json(run.yardsticks)},
-          {"results", rows}};
+  for (const ErrorRow& r : run.errors) errors.push_back(error_json(r));
+  return {{"time", utc_now()},       {"commit", commit()},
+          {"device", to_json(info)}, {"yardsticks", yardsticks_json(run.yardsticks)},
+          {"results", rows},         {"errors", errors}};
 }
 
 Json list_json(const std::vector<const Kernel*>& kernels) {
