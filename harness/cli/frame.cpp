@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 struct Flags {
   Common common;
-  std::string scene = "small", size = "1280x720", out = "out", camera;
+  std::string scene = "small", size = "1280x720", out = "out", camera, sidecar;
   std::vector<std::string> variants;
   frame::Options options;
   bool explain = false, exr = false;
@@ -72,7 +72,7 @@ int run(Flags& f) {
   probe_writable(picture.string());
   if (f.exr) probe_writable(layers.string());
   probe_writable(f.common.json);
-  const scene::Scene s = scene::load(f.scene);
+  const scene::Scene s = scene::load(f.scene, f.sidecar);
   scene::Camera camera = scene::default_camera(s);
   if (!f.camera.empty()) camera = look_at(camera, f.camera);
 
@@ -105,6 +105,10 @@ void add_frame(CLI::App& app, Action& action) {
        "assay frame --camera 0,2,5,0,1,0 --view workload --out out/workload",
        "assay frame --variant visibility=fat --json out/frame.json"});
   command->add_option("--scene", f->scene, "bare, small, default, or a .gltf or .glb file")->capture_default_str();
+  command
+      ->add_option("--sidecar", f->sidecar,
+                   "More lights for the scene; NAME.lights.json beside NAME.gltf or NAME.glb by default")
+      ->type_name("FILE");
   command->add_option("--size", f->size, "Pixels")->capture_default_str()->type_name("WxH");
   command->add_option("--view", f->options.view, fmt::format("{}", fmt::join(frame::view_names(), ", ")))
       ->capture_default_str();

@@ -1,7 +1,5 @@
 // Scenes made by code, the same on every machine: `bare` and `small`.
-#include <fmt/format.h>
 #include <cmath>
-#include <stdexcept>
 
 #include "harness/scene/builtin.h"
 
@@ -165,16 +163,6 @@ Scene small() {
   s.cameras = {look_at({0.6, 2.1, 7.2}, {0, 1.5, -2}, 0.785398)};
   s.cameras[0].name = "hall";
   return s;
-}
-
-Scene load(const std::string& name_or_file) {
-  if (name_or_file == "bare") return bare();
-  if (name_or_file == "small") return small();
-  if (name_or_file == "default") return default_scene();
-  if (!std::filesystem::is_regular_file(name_or_file))
-    throw std::runtime_error(
-        fmt::format("{}: no such scene; give a .gltf or .glb file, or bare, small or default", name_or_file));
-  return load_gltf(name_or_file);
 }
 
 }  // namespace assay::scene
