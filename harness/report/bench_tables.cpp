@@ -128,7 +128,8 @@ std::string yardsticks_text(const Run& run) {
     text += fmt::format(
         ", copy of {} {}", bytes_text(static_cast<double>(bytes)),
         std::isfinite(copy.bytes_per_s) ? fmt::format("{:.3g} GB/s", copy.bytes_per_s / 1e9) : "lost in the dispatch");
-  return text + "\n";
+  return text + fmt::format("; filters linear textures within {:.2f}/255, alpha of sRGB ones within {:.2f}/255\n",
+                            run.yardsticks.filter.linear, run.yardsticks.filter.srgb_alpha);
 }
 
 }  // namespace assay::report

@@ -44,6 +44,7 @@ Json yardsticks_json(const Yardsticks& y) {
   return {{"empty_dispatch_ns", number(y.empty_ns)},
           {"operations_per_s", number(y.operations_per_s)},
           {"copies", copies},
+          {"filter_error_255ths", {{"linear", number(y.filter.linear)}, {"srgb_alpha", number(y.filter.srgb_alpha)}}},
           {"empty_samples", samples_json(y.empty_samples)},
           {"arithmetic_samples", samples_json(y.arithmetic_samples)}};
 }
@@ -63,8 +64,8 @@ Json row_json(const Row& r) {
             {"judged", v.judged},
             {"undecided", v.undecided},
             {"violations", v.violations},
-            {"bounds", bounds_json(v.bounds)},
             {"nans", v.nans},
+            {"bounds", bounds_json(v.bounds)},
             {"bytes_read", r.cost.bytes_read},
             {"bytes_written", r.cost.bytes_written},
             {"operations", r.cost.operations}};
