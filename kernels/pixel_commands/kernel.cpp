@@ -16,15 +16,21 @@ uint64_t tile_shaders(const Case& c) { return tiles(c) * live_shaders(c); }
 uint64_t rows(const Case& c) { return shaders(c) * kCommandRows; }
 
 Groups per_tile(const Case& c) { return spread_groups(tiles(c)); }
+Groups per_pixel(const Case& c) { return spread_groups((pixels(c) + 255) / 256); }
 Groups per_shader(const Case& c) { return {live_shaders(c)}; }
+Groups per_list(const Case& c) { return {live_shaders(c) * kOverflowRow}; }
 Groups once(const Case&) { return {1}; }
 
 // Pixels with copy bits have passes of their own: those of the other kind have no groups, and bind nothing.
 bool has_copies(const Case& c) { return c.params<CommandParams>().copies != 0; }
-Groups per_tile_plain(const Case& c) { return has_copies(c) ? Groups{0, 1, 1} : per_tile(c); }
-Groups per_tile_copied(const Case& c) { return has_copies(c) ? per_tile(c) : Groups{0, 1, 1}; }
-std::vector<Pass> a_tile(const std::string& shader) {
-  return {Dispatch{shader + ".comp", per_tile_plain}, Dispatch{shader + "_copies.comp", per_tile_copied}};
+std::vector<Pass> by_copies(const std::string& shader, Groups (*groups)(const Case&)) {
+  return {Dispatch{shader + ".comp",
+                   [groups](const Case& c) {
+                     return has_copies(c) ? Groups{0, 1, 1} : groups(c);
+                   }},
+          Dispatch{shader + "_copies.comp", [groups](const Case& c) {
+                     return has_copies(c) ? groups(c) : Groups{0, 1, 1};
+                   }}};
 }
 std::vector<Pass> in_order(std::initializer_list<std::vector<Pass>> parts) {
   std::vector<Pass> passes;
@@ -32,14 +38,59 @@ std::vector<Pass> in_order(std::initializer_list<std::vector<Pass>> parts) {
   return passes;
 }
 
-std::vector<Pass> offsets() { return {Dispatch{"scan.comp", per_shader}, Dispatch{"rows.comp", once}}; }
-
 Extent copies_extent(const Case& c) { return has_copies(c) ? c.extent : Extent{1, 1}; }
+
+Port table(const char* name) {
+  Port port = writes<uint>(name, [](const Case& c) { return tiles(c) * kTilePixels; });
+  port.only_in = {"global_atomics"};
+  return port;
+}
 
 Port copy_bits() {
   Port port = reads_image("copy_bits", Format::r8_uint, {"vrcs_coordinates.copy_bits"});
   port.extent = copies_extent;
   return port;
+}
+
+std::vector<Bound> bounds(bool ordered) {
+  const auto list = ordered ? exact : same_set;
+  return {exact("status", "integers only, saturated"),
+          exact("tiles", "integers only"),
+          exact("shaders", "integers only"),
+          exact("command_rows", "integers only"),
+          exact("args", "integers only"),
+          exact("wave_materials", "integers only; groups stand in a fixed order"),
+          list("commands", ordered ? "a row's commands in the order of tiles" : "a row's commands append in any order"),
+          list("entries", ordered ? "a group's pixels in scan order"
+                                  : "a group's pixels stand in any order, its padding behind them")};
+}
+
+std::vector<Variant> variants() {
+  const Dispatch scan = {"scan.comp", per_shader}, rows = {"rows.comp", once};
+  return {
+      {.name = "global_atomics",
+       .passes = in_order({{Clear{"table_surfaces", UINT32_MAX}, Clear{"table_pixels"}},
+                           by_copies("global_count", per_pixel),
+                           {Dispatch{"global_sum.comp", per_tile}, scan, rows, Dispatch{"global_place.comp", per_tile}},
+                           by_copies("global_scatter", per_pixel)}),
+       .constants = {{"THREADS", {64}}},
+       .note = "a tile\'s surfaces in global memory, two atomics a pixel"},
+      {.name = "tile_local",
+       .passes = in_order({by_copies("count", per_tile), {scan, rows}, by_copies("scatter", per_tile)}),
+       .constants = {{"THREADS", {64, 256}}},
+       .note = "in shared memory, an atomic a run of a thread's pixels"},
+      {.name = "subgroup",
+       .passes = in_order({by_copies("count_lanes", per_tile), {scan, rows}, by_copies("scatter_lanes", per_tile)}),
+       .constants = {{"THREADS", {256, 64}}},
+       .needs = {Feature::subgroup_ballot},
+       .note = "in shared memory, an atomic a subgroup and surface"},
+      {.name = "stable",
+       .passes = in_order({by_copies("count", per_tile),
+                           {scan, rows, Dispatch{"commands_stable.comp", per_list}},
+                           by_copies("scatter_stable", per_tile)}),
+       .constants = {{"THREADS", {256}}},
+       .bounds = bounds(true),
+       .note = "pixels in scan order, commands in the order of tiles: the same bits every time"}};
 }
 
 Cost cost(const Case& c) {
@@ -63,19 +114,12 @@ Kernel describe() {
                 writes<TileCommands>("tiles", tile_shaders), writes<ShaderCommands>("shaders", shaders),
                 writes<CommandRow>("command_rows", rows), writes<DispatchArgs>("args", rows),
                 writes<uint>("commands", waves), writes<WaveMaterial>("wave_materials", waves),
-                writes<CommandStatus>("status", fixed(1)), writes<uint>("entries", entries)},
-      .variants = {{.name = "tile_local",
-                    .passes = in_order({a_tile("count"), offsets(), a_tile("scatter")}),
-                    .constants = {{"THREADS", {64, 256}}},
-                    .note = "a tile's surfaces in shared memory, counted twice"}},
+                writes<CommandStatus>("status", fixed(1)), writes<uint>("entries", entries), table("table_surfaces"),
+                table("table_pixels")},
+      .variants = variants(),
       .oracle = list_pixels,
       .inputs = inputs(),
-      .bounds = {exact("status", "integers only, saturated"), exact("tiles", "integers only"),
-                 exact("shaders", "integers only"), exact("command_rows", "integers only"),
-                 exact("args", "integers only"),
-                 exact("wave_materials", "integers only; groups stand in a fixed order"),
-                 same_set("commands", "a row's commands append in any order"),
-                 same_set("entries", "a group's pixels stand in any order, its padding behind them")},
+      .bounds = bounds(false),
       .mutants = mutants(),
       .cost = cost,
       .typical = typical,
