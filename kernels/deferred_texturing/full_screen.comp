@@ -1,0 +1,32 @@
+#version 460
+// What the lists replace: every pixel takes its class's branch, and a wave with several classes takes all of them.
+#include "kernels/deferred_texturing/shade.glsl"
+
+layout(local_size_x = 16, local_size_y = 16) in;
+
+Layer layer_of_class(uint shader, MaterialRecord m, Footprint f, uint surface) {
+  switch (shader) {
+    case kShaderMasked: return masked_layer(m, f, surface);
+    case kShaderTwoLayer: return two_layer_layer(m, f, surface);
+    case kShaderEmissiveDetail: return emissive_detail_layer(m, f, surface);
+    case kShaderCloth: return cloth_layer(m, f, surface);
+    case kShaderSkin: return skin_layer(m, f, surface);
+    case kShaderWet: return wet_layer(m, f, surface);
+    case kShaderFoliage: return foliage_layer(m, f, surface);
+  }
+  return opaque_layer(m, f, surface);
+}
+
+void main() {
+  const uvec2 pixel = gl_GlobalInvocationID.xy;
+  if (pixel.x >= params.width || pixel.y >= params.height) return;
+  const Shown s = shown_at(pixel);
+  if (s.shader == kUnregistered) {
+    store(pixel, Texel(vec4(0), vec2(0), vec2(0), 0u, 0u));
+    return;
+  }
+  const MaterialRecord m = materials[s.material];
+  const SurfaceAttributes a = attributes_at(pixel);
+  const Footprint f = footprint_of(surfaces[s.surface], s.triangle, a);
+  store(pixel, texel_of(layer_of_class(s.shader, m, f, s.surface), a, m));
+}
