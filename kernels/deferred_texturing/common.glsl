@@ -18,25 +18,26 @@ READS(6, uvec2, derivatives);
 READS(7, uvec2, tangent_frame);
 PARAMS(TexturingParams);
 
+bool on_screen(uvec2 pixel) { return pixel.x < params.width && pixel.y < params.height; }
 uint pixel_number(uvec2 pixel) { return pixel.y * params.width + pixel.x; }
 
-// What a pixel shows; shader is kUnregistered where nothing of it is textured: no surface, or a surface, material or
-// class that there is not.
-struct Shown {
-  uint triangle;
-  uint surface;
+// Triangle and surface; a surface at or above the count is none.
+uvec2 visible_at(uvec2 pixel) {
+  return texelFetch(visibility, ivec2(pixel), 0).xy & uvec2(0xffffffffu, kVisibilitySurfaceMask);
+}
+
+// What textures a surface; shader is kUnregistered where nothing does: a surface, material or class that there is not.
+struct Look {
   uint material;
   uint shader;
 };
-Shown shown_at(uvec2 pixel) {
-  const uvec2 v = texelFetch(visibility, ivec2(pixel), 0).xy;
-  Shown s = Shown(v.x, v.y & kVisibilitySurfaceMask, kNoMaterial, kUnregistered);
-  if (s.surface >= params.surfaces) return s;
-  s.material = surfaces[s.surface].material;
-  if (s.material >= params.materials) return s;
-  const uint shader = materials[s.material].shader;
-  if (shader < kShaderClasses && params.slot_of_class[shader] != kUnregistered) s.shader = shader;
-  return s;
+Look look_of(uint surface) {
+  if (surface >= params.surfaces) return Look(kNoMaterial, kUnregistered);
+  const uint material = surfaces[surface].material;
+  if (material >= params.materials) return Look(kNoMaterial, kUnregistered);
+  const uint shader = materials[material].shader;
+  const bool is_visible = shader < kShaderClasses && params.slot_of_class[shader] != kUnregistered;
+  return Look(material, is_visible ? shader : kUnregistered);
 }
 
 // Smaller in magnitude than a positive limit; false for NaN on any device, for it compares integers.

@@ -14,7 +14,9 @@ struct TexturingParams {
   uint materials;
   uint indices;
   uint vertices;
-  uint slot_of_class[kShaderClasses];  // among the visible shaders; kUnregistered: nothing shows the class
+  uint shaders;                        // visible: slots
+  uint waves;                          // that the pixel commands hold
+  uint slot_of_class[kShaderClasses];  // kUnregistered: nothing shows the class
 };
 
 // Beyond these a coordinate or a gradient says nothing: a coordinate becomes 0, a gradient this much (the last level).
@@ -31,7 +33,8 @@ SHARED_CONST float kLargestNormal = 1e12f;
 SHARED_CONST vec3 kFoliageTint = vec3(0.7f, 0.85f, 0.6f);
 
 #ifdef __cplusplus
-SHARED_LAYOUT(TexturingParams, width, height, surfaces, materials, indices, vertices, slot_of_class);
+SHARED_LAYOUT(TexturingParams, width, height, surfaces, materials, indices, vertices, shaders, waves,
+              slot_of_class);
 #endif
 SHARED_END
 #endif

@@ -43,6 +43,11 @@ inline Range operator*(Range a, Range b) {
   if (std::isnan(p) || std::isnan(q) || std::isnan(r) || std::isnan(s)) return unknown();  // 0 times the unknown
   return rounded({std::min({p, q, r, s}), std::max({p, q, r, s})});
 }
+inline Range square(Range a) {
+  if (a.is_nan()) return a;
+  const double p = a.low * a.low, q = a.high * a.high;
+  return rounded({a.low <= 0 && a.high >= 0 ? 0 : std::min(p, q), std::max(p, q)});
+}
 // By a positive range; 2.5 ulp.
 inline Range operator/(Range a, Range b) {
   if (a.is_nan() || b.is_nan()) return {NAN, NAN};
