@@ -1,0 +1,33 @@
+// What every pass binds or knows: the pixels' surfaces, the surfaces' slots, sizes that hold whatever the parameters say.
+#include "harness/glsl/ports.glsl"
+#include "kernels/pixel_commands/layout.h"
+#include "harness/glsl/tiles.glsl"
+
+PARAMS(CommandParams);
+
+const uint kNoSurface = 0xffffffffu;     // of a pixel that nothing covers, or that another one's copy fills
+const uint kWrongSurface = 0xfffffffeu;  // of a pixel whose surface index names none
+const uint kUnlisted = 0xffffffffu;      // key of a surface without a visible shader or material
+
+uvec2 extent() { return uvec2(params.width, params.height); }
+uint shader_slots() { return min(params.shaders, kMaxShaders); }
+uint wave_log2() { return clamp(params.wave_log2, kSmallestWaveLog2, kLargestWaveLog2); }
+uint wave_size() { return 1u << wave_log2(); }
+uint capacity() { return params.waves << wave_log2(); }  // entries
+uint waves_of(uint pixels) { return (pixels + wave_size() - 1u) >> wave_log2(); }
+
+uint saturating_sum(uint a, uint b) {
+  const uint sum = a + b;
+#ifdef MUTANT_1  // wraps: a list over 2^32 looks empty
+  return sum;
+#else
+  return sum < a ? 0xffffffffu : sum;
+#endif
+}
+// Entries that fill up `waves` waves of `pixels` pixels.
+uint padding_of(uint waves, uint pixels) {
+  uint high, low, borrow;
+  umulExtended(waves, wave_size(), high, low);
+  low = usubBorrow(low, pixels, borrow);
+  return high != borrow ? 0xffffffffu : low;
+}
