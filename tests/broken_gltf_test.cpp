@@ -108,6 +108,18 @@ const std::vector<Breakage>& breakages() {
       {"a node with two parents", "nodes[2]", [](Glb& g) { g.doc["nodes"][1]["children"] = {2}; }},
       {"absent light", "KHR_lights_punctual.light",
        [](Glb& g) { g.doc["nodes"][2]["extensions"]["KHR_lights_punctual"]["light"] = 5; }},
+      {"a light that darkens", "nodes[2]: light",
+       [](Glb& g) { g.doc["extensions"]["KHR_lights_punctual"]["lights"][0]["intensity"] = -1; }},
+      {"a light of two colours", "nodes[2]: light",
+       [](Glb& g) {
+         g.doc["extensions"]["KHR_lights_punctual"]["lights"][0]["color"] = {1, 1};
+       }},
+      {"a cone whose inside is the wider", "nodes[2]: light",
+       [](Glb& g) { g.doc["extensions"]["KHR_lights_punctual"]["lights"][0]["spot"]["innerConeAngle"] = 0.7; }},
+      {"a cone wider than a half space", "nodes[2]: light",
+       [](Glb& g) { g.doc["extensions"]["KHR_lights_punctual"]["lights"][0]["spot"]["outerConeAngle"] = 1.6; }},
+      {"a light that is no object", "lights[0]",
+       [](Glb& g) { g.doc["extensions"]["KHR_lights_punctual"]["lights"] = {7}; }},
       {"absent scene", "scene", [](Glb& g) { g.doc["scene"] = 3; }},
       {"a scene that shows nothing", "scene", [](Glb& g) { g.doc["scenes"][0]["nodes"] = Json::array(); }},
       {"nodes that are no array", "nodes", [](Glb& g) { g.doc["nodes"] = 3; }},

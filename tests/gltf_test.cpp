@@ -1,4 +1,5 @@
 // What the loader makes of whole files: small ones of every kind, and the real scenes.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -42,6 +43,20 @@ TEST(Gltf, LightsAndCamerasFollowTheirNodes) {
   EXPECT_NEAR(length(s.lights[0].direction - glm::vec3(0, -1, 0)), 0, 1e-6);  // -z turned by -90 degrees about x
   EXPECT_FLOAT_EQ(s.lights[0].intensity, 7);
   EXPECT_FLOAT_EQ(s.lights[0].outer_rad, 0.6f);
+}
+
+TEST(Gltf, MaterialsKeepScalesAndStrengths) {
+  Glb g = quad();
+  g.doc["materials"][0]["normalTexture"] = {{"index", 0}, {"scale", 0.25}};
+  g.doc["materials"][0]["occlusionTexture"] = {{"index", 0}, {"strength", 0.75}};
+  const scene::Scene s = load(g);
+  EXPECT_EQ(s.materials[0].normal_scale, 0.25f);
+  EXPECT_EQ(s.materials[0].occlusion_strength, 0.75f);
+  EXPECT_FALSE(s.materials[0].shader.has_value());
+  EXPECT_EQ(shader_class(s, s.materials[0]), kShaderFoliage);  // a masked leaf
+  const scene::Scene plain = load(quad());
+  EXPECT_EQ(plain.materials[0].normal_scale, 1);
+  EXPECT_EQ(plain.materials[0].occlusion_strength, 1);
 }
 
 TEST(Gltf, MatrixAndTrsNodesMultiplyDownTheTree) {
@@ -250,6 +265,13 @@ TEST(Gltf, RealScenesHaveTheManifestsCounts) {
     expect_counts(s, item["counts"]);
     const scene::Gathered g = gather(s, default_camera(s), {1280, 720});
     EXPECT_GT(g.counts.surfaces, 0u);
+    EXPECT_GE(g.counts.lights, 1u);
+    std::string arrays;
+    for (const Texture& t : g.textures)
+      arrays += fmt::format(" {} x {}x{} {};", t.layers, t.width, t.height,
+                            t.format == Format::rgba8_srgb ? "sRGB" : "linear");
+    fmt::print("{}: {} arrays:{}\n", s.name, g.textures.size(), arrays);
+    EXPECT_LE(g.textures.size(), 16u);
     ++files;
   }
   EXPECT_GT(files, 0);

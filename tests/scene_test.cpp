@@ -185,6 +185,25 @@ TEST(Scene, FeatureBitsFollowTheMaterial) {
   EXPECT_EQ(feature_bits(s, m), kFeatureOpaque | kFeatureTextured | kFeatureReflective);
 }
 
+TEST(Scene, ShaderClassesFollowTheFeatures) {
+  const Scene s;
+  using scene::AlphaMode;
+  const std::pair<scene::Material, uint32_t> expected[] = {
+      {{.name = "stone"}, kShaderOpaque},
+      {{.name = "chain", .alpha = AlphaMode::masked}, kShaderMasked},
+      {{.name = "sheet", .double_sided = true}, kShaderMasked},
+      {{.name = "leaf", .alpha = AlphaMode::masked}, kShaderFoliage},
+      {{.name = "leaf"}, kShaderOpaque},  // not masked: a carved one
+      {{.name = "curtain", .alpha = AlphaMode::masked}, kShaderCloth},
+      {{.name = "skin"}, kShaderSkin},
+      {{.name = "lamp", .emissive = {0, 0, 1}}, kShaderEmissiveDetail},
+      {{.name = "lamp", .emissive = {0, 0, 1}, .alpha = AlphaMode::masked}, kShaderMasked},
+      {{.name = "street", .features = kFeaturePuddles}, kShaderWet},
+      {{.name = "stone", .shader = kShaderTwoLayer}, kShaderTwoLayer},
+  };
+  for (const auto& [material, shader] : expected) EXPECT_EQ(shader_class(s, material), shader) << material.name;
+}
+
 // ---- The ray caster ------------------------------------------------------------------------------------------------
 
 TEST(Scene, RayCasterFindsTheTriangleThatItAimsAt) {

@@ -24,7 +24,8 @@ struct Options {
   Extent size = {1280, 720};      // 1x1 to 16384x16384; what the device's buffers hold (8.4 Mpx on lavapipe)
   std::string view = "material";  // one of view_names()
   std::map<std::string, std::string> variants =
-      {};  // kernel -> variant or label ("visibility" -> "slim"); else default
+      {};                    // kernel -> variant or label ("visibility" -> "slim"); else default
+  float exposure_stops = 0;  // added to the automatic exposure
   // Resources that must be computed; whatever none of them needs is left out. Empty: the picture and the statistics.
   std::vector<std::string> goals = {};
   bool warm_up = true;  // draw once before the times are taken: shaders compile at their first dispatch

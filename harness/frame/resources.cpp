@@ -15,7 +15,9 @@ std::map<std::string, std::span<const std::byte>> scene_buffers(const scene::Gat
           {"scene.indices", std::as_bytes(std::span(g.indices))},
           {"scene.surfaces", std::as_bytes(std::span(g.surfaces))},
           {"scene.draws", std::as_bytes(std::span(g.draws))},
-          {"scene.materials", std::as_bytes(std::span(g.materials))}};
+          {"scene.materials", std::as_bytes(std::span(g.materials))},
+          {"scene.surface_slots", std::as_bytes(std::span(g.surface_slots))},
+          {"scene.lights", std::as_bytes(std::span(g.lights))}};
 }
 
 struct Contents {

@@ -145,6 +145,13 @@ ClipRows clip_rows(const Camera& camera, Extent extent) {
   return {glm::dvec4(axes[0] * (focal / aspect), 0), glm::dvec4(axes[1] * -focal, 0), glm::dvec4(-axes[2], 0)};
 }
 
+ViewRays view_rays(const Camera& camera, Extent extent) {
+  const glm::dmat3 axes = mat3_cast(camera.orientation);
+  const double high = std::tan(camera.vertical_fov_rad / 2), wide = high * extent.width / extent.height;
+  return {vec3(axes[1] * high - axes[0] * wide - axes[2]), vec3(axes[0] * (2 * wide / extent.width)),
+          vec3(axes[1] * (-2 * high / extent.height))};
+}
+
 Bounds bounds_of(const Mesh& mesh, const Part& part) {
   Bounds box;
   for (uint32_t i = part.first_index; i < part.first_index + part.index_count; ++i)

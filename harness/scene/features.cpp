@@ -1,5 +1,5 @@
-// Feature bits of a material, from the material's own data. What glTF has no property for is read from the name, by the
-// short list below; nothing is guessed beyond it.
+// Feature bits and shader class of a material, from the material's own data. What glTF has no property for is read from
+// the name, by the short list below; nothing is guessed beyond it.
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -45,7 +45,7 @@ uint32_t feature_bits(const Scene& scene, const Material& m) {
   if (m.double_sided) bits |= kFeatureDoubleSided;
   if (std::max({m.emissive.x, m.emissive.y, m.emissive.z}) > 0) bits |= kFeatureEmissive;
   if (m.base_image != kNone || m.normal_image != kNone || m.metallic_roughness_image != kNone ||
-      m.occlusion_image != kNone || m.emissive_image != kNone)
+      m.occlusion_image != kNone || m.emissive_image != kNone || m.mask_image != kNone || m.detail_image != kNone)
     bits |= kFeatureTextured;
   if (reflective(scene, m)) bits |= kFeatureReflective;
   std::string name = m.name;
@@ -53,6 +53,20 @@ uint32_t feature_bits(const Scene& scene, const Material& m) {
   for (const NameRule& rule : kNameRules)
     if (name.find(rule.word) != std::string::npos) bits |= rule.bits;
   return bits;
+}
+
+// A scene made by code names its classes. A file's material has the first class whose feature it has, and glTF has no
+// word for two layers; what such a class samples and the material lacks reads white. A double-sided material is masked
+// even without a cutoff: that class turns the normals of back faces.
+uint32_t shader_class(const Scene& scene, const Material& m) {
+  if (m.shader) return *m.shader;
+  const uint32_t bits = feature_bits(scene, m);
+  if (bits & kFeatureCloth) return kShaderCloth;
+  if (bits & kFeatureSkin) return kShaderSkin;
+  if (bits & (kFeatureWetnessDrops | kFeaturePuddles)) return kShaderWet;
+  if (bits & (kFeatureMasked | kFeatureDoubleSided)) return bits & kFeatureSubsurface ? kShaderFoliage : kShaderMasked;
+  if (bits & kFeatureEmissive) return kShaderEmissiveDetail;
+  return kShaderOpaque;
 }
 
 }  // namespace assay::scene

@@ -1,4 +1,4 @@
-// From a scene and a camera to the buffers of a frame: culling, buckets of draws, merged meshes, materials.
+// From a scene and a camera to the buffers of a frame: culling, buckets of draws, merged meshes.
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "harness/scene/scene.h"
-#include "harness/scene/textures.h"
+#include "harness/scene/gather.h"
 
 namespace assay::scene {
 namespace {
@@ -52,13 +51,6 @@ bool outside(const Transform& t, const Bounds& box, double near_plane) {
         std::max({scale, dot(abs(t.clip_x), magnitude), dot(abs(t.clip_y), magnitude), dot(abs(t.clip_w), magnitude)});
   }
   return *std::max_element(out, out + 5) > 1e-5 * scale;
-}
-
-uint32_t material_flags(const Material& m) {
-  uint32_t flags = m.double_sided ? kMaterialDoubleSided : 0;
-  if (m.alpha == AlphaMode::masked) flags |= kMaterialMasked;
-  if (m.alpha == AlphaMode::blended) flags |= kMaterialBlended;
-  return flags;
 }
 
 uint32_t bucket_of(const Material& m, bool mirrored) {
@@ -147,27 +139,6 @@ void append_draw(const Scene& scene, std::span<const Surface> instances, const s
   }
 }
 
-// Indices stay the scene's; textures are only those of materials that the surfaces use.
-void append_materials(const Scene& scene, Gathered& to) {
-  std::set<uint32_t> used, images;
-  for (const SurfaceRecord& s : to.surfaces) used.insert(s.material);
-  for (const uint32_t m : used)
-    if (scene.materials[m].base_image != kNone) images.insert(scene.materials[m].base_image);
-  const std::vector<uint32_t> ordered(images.begin(), images.end());
-  TextureArrays packed = pack_textures(scene, ordered);
-  to.textures = std::move(packed.textures);
-  for (uint32_t m = 0; m < scene.materials.size(); ++m) {
-    const Material& material = scene.materials[m];
-    uint32_t texture = kNoTexture;
-    if (used.count(m) && material.base_image != kNone) {
-      const auto at = std::lower_bound(ordered.begin(), ordered.end(), material.base_image) - ordered.begin();
-      texture = packed.names[static_cast<size_t>(at)];
-    }
-    to.materials.push_back({material.base_colour, texture, material.alpha_cutoff, material_flags(material),
-                            feature_bits(scene, material)});
-  }
-}
-
 }  // namespace
 
 Gathered gather(const Scene& scene, const Camera& camera, Extent extent) {
@@ -189,12 +160,16 @@ Gathered gather(const Scene& scene, const Camera& camera, Extent extent) {
   }
   while (bucket < kDrawBuckets) to.counts.bucket_first[++bucket] = static_cast<uint32_t>(to.draws.size());
   append_materials(scene, to);
+  append_lights(scene, camera, rows, to);
+  to.rays = view_rays(camera, extent);
 
   to.counts.vertices = static_cast<uint32_t>(to.positions.size());
   to.counts.indices = static_cast<uint32_t>(to.indices.size());
   to.counts.surfaces = static_cast<uint32_t>(to.surfaces.size());
   to.counts.materials = static_cast<uint32_t>(to.materials.size());
   to.counts.draws = static_cast<uint32_t>(to.draws.size());
+  to.counts.lights = static_cast<uint32_t>(to.lights.size());
+  to.counts.visible_shaders = static_cast<uint32_t>(to.shaders.size());
   return to;
 }
 

@@ -95,7 +95,9 @@ void append_materials(const tinygltf::Model& model, Scene& scene) {
     const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
     const std::string place = fmt::format("materials[{}]", i);
     check_finite(pbr.baseColorFactor, place);
-    check_finite({pbr.metallicFactor, pbr.roughnessFactor, from.alphaCutoff}, place);
+    check_finite({pbr.metallicFactor, pbr.roughnessFactor, from.alphaCutoff, from.normalTexture.scale,
+                  from.occlusionTexture.strength},
+                 place);
     check_finite(from.emissiveFactor, place);
     const std::vector<double>& c = pbr.baseColorFactor;
     Material m = {.name = from.name.empty() ? place : from.name};
@@ -108,6 +110,8 @@ void append_materials(const tinygltf::Model& model, Scene& scene) {
     m.metallic_roughness_image = image_of(model, pbr.metallicRoughnessTexture.index);
     m.occlusion_image = image_of(model, from.occlusionTexture.index);
     m.emissive_image = image_of(model, from.emissiveTexture.index);
+    m.normal_scale = static_cast<float>(from.normalTexture.scale);
+    m.occlusion_strength = static_cast<float>(from.occlusionTexture.strength);
     m.alpha = alpha_mode(from, place);
     m.alpha_cutoff = static_cast<float>(from.alphaCutoff);
     m.double_sided = from.doubleSided;

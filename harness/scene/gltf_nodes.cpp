@@ -43,13 +43,13 @@ void append_light(const tinygltf::Light& from, const glm::dmat4& world, const st
     refuse(place, fmt::format("light type \"{}\" is not known", from.type));
   light.position = glm::dvec3(world[3]);
   light.direction = glm::vec3(turned(world, {0, 0, -1}));
-  if (from.color.size() >= 3) light.colour = glm::vec3(glm::make_vec3(from.color.data()));
+  if (!from.color.empty() && from.color.size() != 3) refuse(place, "light: its colour has not three components");
+  if (from.color.size() == 3) light.colour = glm::vec3(glm::make_vec3(from.color.data()));
   light.intensity = static_cast<float>(from.intensity);
   light.range = static_cast<float>(from.range);
   light.inner_rad = static_cast<float>(from.spot.innerConeAngle);
   light.outer_rad = static_cast<float>(from.spot.outerConeAngle);
-  if (!std::isfinite(light.intensity) || !std::isfinite(light.range))
-    refuse(place, "its intensity or range is not finite");
+  if (const std::string fault = fault_of(light); !fault.empty()) refuse(place, "light: " + fault);
   scene.lights.push_back(light);
 }
 

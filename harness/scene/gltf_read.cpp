@@ -66,6 +66,7 @@ constexpr Shape kShapes[] = {
     {"samplers", Json::value_t::array},
     {"materials", Json::value_t::array},
     {"cameras", Json::value_t::array},
+    {"extensions/KHR_lights_punctual/lights", Json::value_t::array},
     {"extensionsUsed", Json::value_t::array},
     {"extensionsRequired", Json::value_t::array},
 };
@@ -118,8 +119,9 @@ void check_shapes(const Json& doc) {
     for (const Found& f : find(doc, shape.path))
       if (f.value->type() != shape.type)
         refuse(f.place, shape.type == Json::value_t::array ? "is not an array" : "is not an object");
-  for (const char* list : {"scenes", "nodes", "meshes", "meshes/*/primitives", "accessors", "bufferViews", "buffers",
-                           "images", "textures", "samplers", "materials", "cameras"})
+  for (const char* list :
+       {"scenes", "nodes", "meshes", "meshes/*/primitives", "accessors", "bufferViews", "buffers", "images", "textures",
+        "samplers", "materials", "cameras", "extensions/KHR_lights_punctual/lights"})
     for (const Found& f : find(doc, std::string(list) + "/*"))
       if (!f.value->is_object()) refuse(f.place, "is not an object");
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "harness/formats/features.h"
+#include "harness/formats/light.h"
 #include "harness/formats/material.h"
 #include "harness/formats/scene.h"
 #include "harness/kernel.h"
@@ -36,6 +37,13 @@ struct Material {
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
   uint32_t features = 0;  // beyond those that follow from the rest
+  float normal_scale = 1, occlusion_strength = 1;
+  std::optional<uint32_t> shader = {};  // kShader... of formats/material.h; else by shader_class's rules
+  uint32_t layer = kNone;               // two-layer: the material on top
+  uint32_t mask_image = kNone;          // linear, R
+  float blend_depth = 0.1f;             // two-layer: the difference of heights over which the layers mix, above 0
+  uint32_t detail_image = kNone;        // linear, RGB
+  float detail_scale = 1;
 };
 
 struct Part {  // triangles of one material
@@ -54,12 +62,16 @@ struct Instance {
 };
 
 enum class LightKind { directional, point, spot };
-struct Light {  // KHR_lights_punctual: candela, or lux for directional; range 0 is unlimited
+// KHR_lights_punctual: candela (of a spot too, whatever its cone), or lux for directional; range 0 is unlimited. Cones
+// are half angles, 0 <= inner <= outer <= pi/2.
+struct Light {
   LightKind kind = LightKind::point;
   glm::dvec3 position = {};
   glm::vec3 direction = {0, 0, -1}, colour = {1, 1, 1};
   float intensity = 1, range = 0, inner_rad = 0, outer_rad = 0.785398f;
 };
+// What makes the light no light; empty if it is sound.
+std::string fault_of(const Light&);
 struct Camera {  // looks along -z of its own axes, x right, y up
   std::string name;
   glm::dvec3 eye = {};
@@ -92,6 +104,9 @@ Camera look_at(const glm::dvec3& eye, const glm::dvec3& target, double vertical_
 // Every bit of formats/features.h that a pixel of the material has (features.cpp has the rules).
 uint32_t feature_bits(const Scene&, const Material&);
 
+// The material's kShader... (features.cpp has the rules).
+uint32_t shader_class(const Scene&, const Material&);
+
 // Axis-aligned; empty (lowest above highest) until something is added.
 struct Bounds {
   glm::dvec3 lowest = glm::dvec3(1e300), highest = glm::dvec3(-1e300);
@@ -108,11 +123,15 @@ struct Gathered {
   std::vector<VertexAttributes> attributes;
   std::vector<uint32_t> indices;
   std::vector<SurfaceRecord> surfaces;
-  std::vector<DrawCommand> draws;  // by bucket (formats/scene.h); instances of one mesh part are one command
-  std::vector<MaterialRecord> materials;
+  std::vector<DrawCommand> draws;          // by bucket (formats/scene.h); instances of one mesh part are one command
+  std::vector<MaterialRecord> materials;   // the scene's, textures only of those that surfaces show
+  std::vector<SurfaceSlot> surface_slots;  // one a surface
+  std::vector<uint32_t> shaders;           // classes of the surfaces' materials, ascending
+  std::vector<LightRecord> lights;         // in the scene's order; a default where it has none
+  ViewRays rays = {};
   std::vector<Texture> textures;                         // one array a (size, format)
   std::vector<uint32_t> surface_instance, surface_part;  // back to the scene, for reference renderers
-  std::vector<std::string> notes;  // what was left out and why: culled instances, blended materials
+  std::vector<std::string> notes;  // what was left out or added and why: culled instances and lights, …
 };
 Gathered gather(const Scene&, const Camera&, Extent);
 
@@ -121,5 +140,7 @@ struct ClipRows {
   glm::dvec4 x, y, w;
 };
 ClipRows clip_rows(const Camera&, Extent);
+// Their inverse on pixels and depths (formats/light.h), computed in double and rounded once.
+ViewRays view_rays(const Camera&, Extent);
 
 }  // namespace assay::scene

@@ -1,4 +1,4 @@
-// Mip chains by box filter in linear light, packed one array a size.
+// Mip chains by box filter of linear values, packed one array a size and format.
 #include "harness/scene/textures.h"
 
 #include <fmt/format.h>
@@ -37,20 +37,23 @@ struct LinearImage {  // RGBA, alpha as stored
   std::vector<float> texels;
 };
 
-LinearImage to_linear(const Image& image) {
+bool is_curved(Format format, size_t component) { return format == Format::rgba8_srgb && component % 4 != 3; }
+
+LinearImage to_linear(const Image& image, Format format) {
   LinearImage out = {image.width, image.height, std::vector<float>(image.rgba.size())};
   for (size_t i = 0; i < image.rgba.size(); ++i)
-    out.texels[i] = i % 4 == 3 ? static_cast<float>(image.rgba[i]) / 255.0f : srgb().linear[image.rgba[i]];
+    out.texels[i] = is_curved(format, i) ? srgb().linear[image.rgba[i]] : static_cast<float>(image.rgba[i]) / 255.0f;
   return out;
 }
 
-void append_encoded(const LinearImage& image, Bytes& to) {
+void append_encoded(const LinearImage& image, Format format, Bytes& to) {
   for (size_t i = 0; i < image.texels.size(); ++i) {
     const float v = image.texels[i];
     const std::array<float, 255>& halfway = srgb().halfway;
     const uint32_t code =
-        i % 4 == 3 ? static_cast<uint32_t>(std::lround(v * 255.0f))
-                   : static_cast<uint32_t>(std::upper_bound(halfway.begin(), halfway.end(), v) - halfway.begin());
+        is_curved(format, i)
+            ? static_cast<uint32_t>(std::upper_bound(halfway.begin(), halfway.end(), v) - halfway.begin())
+            : static_cast<uint32_t>(std::lround(v * 255.0f));
     to.push_back(static_cast<std::byte>(code));
   }
 }
@@ -86,44 +89,48 @@ LinearImage halve(const LinearImage& fine) {
 }
 
 // Levels of one image, encoded: level 0 keeps the file's bytes.
-std::vector<Bytes> mip_chain(const Image& image) {
+std::vector<Bytes> mip_chain(const Image& image, Format format) {
   const auto b = std::as_bytes(std::span(image.rgba));
   std::vector<Bytes> levels = {Bytes(b.begin(), b.end())};
-  for (LinearImage level = to_linear(image); level.width > 1 || level.height > 1;) {
+  for (LinearImage level = to_linear(image, format); level.width > 1 || level.height > 1;) {
     level = halve(level);
-    append_encoded(level, levels.emplace_back());
+    append_encoded(level, format, levels.emplace_back());
   }
   return levels;
 }
 
 }  // namespace
 
-TextureArrays pack_textures(const Scene& scene, const std::vector<uint32_t>& images) {
+TextureArrays pack_textures(const Scene& scene, const std::vector<ImageUse>& uses) {
   TextureArrays out;
   std::vector<std::vector<const Image*>> members;
-  for (const uint32_t index : images) {
-    const Image& image = scene.images[index];
+  for (const ImageUse& use : uses) {
+    const Image& image = scene.images[use.image];
+    const auto fits = [&](size_t a) {
+      const Texture& t = out.textures[a];
+      return t.format == use.format && t.width == image.width && t.height == image.height &&
+             members[a].size() < kMostLayers;
+    };
     size_t a = 0;
-    while (a < members.size() && (out.textures[a].width != image.width || out.textures[a].height != image.height ||
-                                  members[a].size() == kMostLayers))
-      ++a;
+    while (a < members.size() && !fits(a)) ++a;
     if (a == members.size()) {
       members.emplace_back();
-      out.textures.push_back({.width = image.width, .height = image.height});
+      out.textures.push_back({.format = use.format, .width = image.width, .height = image.height});
     }
     out.names.push_back(static_cast<uint32_t>(a << 16 | members[a].size()));
     members[a].push_back(&image);
   }
   if (members.size() > kMostArrays)
     throw std::runtime_error(
-        fmt::format("{}: its base colour images have {} sizes, {} at most can be bound; resize some to agree",
+        fmt::format("{}: its images need {} array textures, one a size and colour space, and {} at most can be bound; "
+                    "resize some to agree",
                     scene.name, members.size(), kMostArrays));
   for (size_t a = 0; a < members.size(); ++a) {
     Texture& texture = out.textures[a];
     texture.layers = static_cast<uint32_t>(members[a].size());
     texture.levels = static_cast<uint32_t>(std::bit_width(std::max(texture.width, texture.height)));
     std::vector<std::vector<Bytes>> chains;
-    for (const Image* image : members[a]) chains.push_back(mip_chain(*image));
+    for (const Image* image : members[a]) chains.push_back(mip_chain(*image, texture.format));
     for (uint32_t level = 0; level < texture.levels; ++level)
       for (const std::vector<Bytes>& chain : chains)
         texture.bytes.insert(texture.bytes.end(), chain[level].begin(), chain[level].end());
