@@ -1,5 +1,6 @@
 #include "kernels/deferred_texturing/builder.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "harness/formats/attributes.h"
@@ -85,6 +86,11 @@ uint32_t Builder::add_sheet(const Rectangle& r, uint32_t material, const std::ar
       barycentrics[pixel] = e.barycentrics, derivatives[pixel] = e.derivatives, tangent_frame[pixel] = e.tangent_frame;
     }
   return surface;
+}
+
+void Builder::flag_surface(uint32_t surface, uint32_t bits) {
+  for (uvec2& v : visibility)
+    if (v.y == surface) v.y |= bits;
 }
 
 void Builder::set_frame(uint32_t x, uint32_t y, const Frame& f) {

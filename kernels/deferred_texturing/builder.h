@@ -44,6 +44,8 @@ struct Builder {
   uint32_t add_material(const MaterialRecord&);
   // Corners: UV at left top, right top, left bottom, right bottom. Returns the surface.
   uint32_t add_sheet(const Rectangle&, uint32_t material, const std::array<vec2, 4>& corners, const Frame& = {});
+  // Bits above the index, for every pixel that shows the surface.
+  void flag_surface(uint32_t surface, uint32_t bits);
   // The frame of a pixel instead of its sheet's.
   void set_frame(uint32_t x, uint32_t y, const Frame&);
   Case finish(std::string name = {}) const;

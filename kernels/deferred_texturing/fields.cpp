@@ -1,5 +1,6 @@
 #include "kernels/deferred_texturing/fields.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -36,7 +37,7 @@ vec3 normal_of(uint32_t t) {
     const double x = n.x;
     n.x = std::copysign(1 - std::fabs(n.y), x), n.y = std::copysign(1 - std::fabs(x), n.y);
   }
-  return n / std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+  return vec3(n / std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z));
 }
 
 vec2 metallic_occlusion_of(uint16_t t) { return {unorm8(t), unorm8(uint32_t{t} >> 8)}; }
