@@ -49,7 +49,8 @@ Interpolated on_sheet(const Rectangle& r, uint32_t x, uint32_t y, uint32_t& tria
 }  // namespace
 
 Encoded encode(const Interpolated& p) {
-  return {unorm16(p.weights.x) | unorm16(p.weights.y) << 16, shared_exponent(p, flags_of(p.frame)),
+  return {unorm16(p.weights.x) | unorm16(p.weights.y) << 16,
+          shared_exponent(p, flags_of(p.frame)),
           {lambert(p.frame.normal), lambert(p.frame.tangent)}};
 }
 
@@ -97,6 +98,17 @@ void Builder::set_frame(uint32_t x, uint32_t y, const Frame& f) {
   const size_t pixel = size_t{y} * extent.width + x;
   derivatives[pixel].y = (derivatives[pixel].y & 0x0fffffffu) | flags_of(f) << 28;
   tangent_frame[pixel] = {lambert(f.normal), lambert(f.tangent)};
+}
+
+void Builder::set(uint32_t x, uint32_t y, const Interpolated& p) {
+  const size_t pixel = size_t{y} * extent.width + x;
+  const Encoded e = encode(p);
+  barycentrics[pixel] = e.barycentrics, derivatives[pixel] = e.derivatives, tangent_frame[pixel] = e.tangent_frame;
+}
+
+void Builder::set_frames(const Frame& f) {
+  for (uint32_t y = 0; y < extent.height; ++y)
+    for (uint32_t x = 0; x < extent.width; ++x) set_frame(x, y, f);
 }
 
 Case Builder::finish(std::string name) const {
@@ -173,7 +185,8 @@ Texture texture_of(Format format, Extent e, uint32_t layers, const TexelFunction
   for (uint32_t layer = 0; layer < layers; ++layer)
     for (uint32_t y = 0; y < e.height; ++y)
       for (uint32_t x = 0; x < e.width; ++x)
-        for (uint32_t c = 0; c < 4; ++c) t.bytes.push_back(static_cast<std::byte>(std::min(texel(x, y, layer, c), 255u)));
+        for (uint32_t c = 0; c < 4; ++c)
+          t.bytes.push_back(static_cast<std::byte>(std::min(texel(x, y, layer, c), 255u)));
   size_t before = 0;
   for (uint32_t w = e.width, h = e.height; chain && (w > 1 || h > 1); ++t.levels) {
     const size_t end = t.bytes.size();
@@ -181,6 +194,10 @@ Texture texture_of(Format format, Extent e, uint32_t layers, const TexelFunction
     before = end, w = std::max(w / 2, 1u), h = std::max(h / 2, 1u);
   }
   return t;
+}
+
+Texture constant_texture(Format format, const std::array<uint32_t, 4>& texel) {
+  return texture_of(format, {4, 4}, 1, [=](uint32_t, uint32_t, uint32_t, uint32_t c) { return texel[c]; });
 }
 
 Texture levels_texture(Format format, Extent e, const std::function<uint32_t(uint32_t, uint32_t)>& colour) {

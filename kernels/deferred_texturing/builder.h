@@ -48,6 +48,9 @@ struct Builder {
   void flag_surface(uint32_t surface, uint32_t bits);
   // The frame of a pixel instead of its sheet's.
   void set_frame(uint32_t x, uint32_t y, const Frame&);
+  // Everything of a pixel's attributes; the frame of every pixel.
+  void set(uint32_t x, uint32_t y, const Interpolated&);
+  void set_frames(const Frame&);
   Case finish(std::string name = {}) const;
 };
 
@@ -59,6 +62,7 @@ uint32_t texture_name(uint32_t array, uint32_t layer);
 using TexelFunction = std::function<uint32_t(uint32_t x, uint32_t y, uint32_t layer, uint32_t channel)>;
 // With a chain of levels, each the mean of four texels of the last; or level 0 alone.
 Texture texture_of(Format, Extent, uint32_t layers, const TexelFunction&, bool chain = true);
+Texture constant_texture(Format, const std::array<uint32_t, 4>& texel);
 // Every level of one colour, another each: rgb from `colour(level)`.
 Texture levels_texture(Format, Extent, const std::function<uint32_t(uint32_t level, uint32_t channel)>&);
 

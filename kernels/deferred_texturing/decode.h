@@ -1,4 +1,5 @@
-// A pixel's interpolated attributes and where its textures are sampled, as ranges, from the bytes that the shaders read.
+// A pixel's interpolated attributes and where its textures are sampled, as ranges, from the bytes that the shaders
+// read.
 #pragma once
 #include "harness/formats/attributes.h"
 #include "kernels/deferred_texturing/layout.h"
@@ -7,9 +8,9 @@
 namespace assay::deferred_texturing {
 
 struct PixelAttributes {
-  Range weight_1, weight_2;                                          // barycentrics of the second and third vertex
-  Range weight_1_dx, weight_2_dx, weight_1_dy, weight_2_dy;          // a pixel
-  Range3 normal, tangent;                                            // world
+  Range weight_1, weight_2;                                  // barycentrics of the second and third vertex
+  Range weight_1_dx, weight_2_dx, weight_1_dy, weight_2_dy;  // a pixel
+  Range3 normal, tangent;                                    // world
   bool left_handed = false, front_facing = false;
 };
 PixelAttributes decoded(uint32_t barycentrics, uvec2 derivatives, uvec2 tangent_frame);

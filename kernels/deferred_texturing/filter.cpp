@@ -11,9 +11,7 @@ constexpr double kUnorm = 1.0 / 255;
 constexpr double kUnormFilter = 3 * kUnorm, kSrgbFilter = 3 * kUnorm / 12.92;
 constexpr double kWidest = 8;  // texels a side that are searched; beyond, the whole layer's range is taken
 
-double linear_of(double srgb) {
-  return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
-}
+double linear_of(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4); }
 // Half a code either way, on the sRGB side (the tolerance of Direct3D 11; Vulkan names none).
 const std::array<Range, 256>& srgb_table() {
   static const std::array<Range, 256> table = [] {
@@ -57,7 +55,8 @@ void widen(Range4& to, const Range4& by) {
 }
 
 // Vulkan, Scale Factor Operation: rho of an axis may be anything from the larger of its two magnitudes to sqrt(2) times
-// their sum. LOD Operation: log2 of the larger, to mipmapPrecisionBits; Image Level(s) Selection rounds to as many again.
+// their sum. LOD Operation: log2 of the larger, to mipmapPrecisionBits; Image Level(s) Selection rounds to as many
+// again.
 Range level_of_detail(const RangeFootprint& f, const Texture& t, uint32_t mipmap_bits) {
   const auto texels = [](Range d, uint32_t size) {
     const bool has_zero = d.low <= 0 && d.high >= 0;
@@ -75,7 +74,8 @@ Range level_of_detail(const RangeFootprint& f, const Texture& t, uint32_t mipmap
 }  // namespace
 
 Range Filter::Level::texel(int64_t x, int64_t y, uint32_t channel) const {
-  const uint32_t code = std::to_integer<uint32_t>(texels[(wrapped(y, height) * width + wrapped(x, width)) * 4 + channel]);
+  const uint32_t code =
+      std::to_integer<uint32_t>(texels[(wrapped(y, height) * width + wrapped(x, width)) * 4 + channel]);
   return is_srgb && channel < 3 ? srgb_table()[code] : Range(code * kUnorm);
 }
 
@@ -126,8 +126,8 @@ Range4 Filter::bilinear(const Level& l, Range x, Range y) const {
 Range4 Filter::sampled(uint32_t name, const RangeFootprint& f) const {
   const uint32_t slot = name >> 16;
   if (name == kNoTexture || slot >= kSlots) return {1.0, 1.0, 1.0, 1.0};
-  static const Texture white = {
-      .format = Format::rgba8_unorm, .bytes = Bytes(4, std::byte{255})};  // NOLINT: what an unused slot holds
+  static const Texture white = {.format = Format::rgba8_unorm,
+                                .bytes = Bytes(4, std::byte{255})};  // NOLINT: what an unused slot holds
   const Texture& t = slot < textures_.size() ? textures_[slot] : white;
   if (t.format != Format::rgba8_unorm && t.format != Format::rgba8_srgb)
     throw std::logic_error("deferred texturing samples rgba8 textures");
@@ -139,7 +139,8 @@ Range4 Filter::sampled(uint32_t name, const RangeFootprint& f) const {
   };
   // Within a level, and from level to level, the answer is a mixture: extremes lie at the ends and at whole levels.
   const Range detail = level_of_detail(f, t, device_.mipmap_bits);
-  const auto first = static_cast<uint32_t>(std::floor(detail.low)), last = static_cast<uint32_t>(std::ceil(detail.high));
+  const auto first = static_cast<uint32_t>(std::floor(detail.low)),
+             last = static_cast<uint32_t>(std::ceil(detail.high));
   Range4 all, previous;
   for (uint32_t level = first; level <= last; ++level) {
     const Range4 here = of_level(level);

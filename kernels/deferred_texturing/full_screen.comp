@@ -4,19 +4,6 @@
 
 layout(local_size_x = 16, local_size_y = 16) in;
 
-Layer layer_of_class(uint shader, MaterialRecord m, Footprint f, uint surface) {
-  switch (shader) {
-    case kShaderMasked: return masked_layer(m, f, surface);
-    case kShaderTwoLayer: return two_layer_layer(m, f, surface);
-    case kShaderEmissiveDetail: return emissive_detail_layer(m, f, surface);
-    case kShaderCloth: return cloth_layer(m, f, surface);
-    case kShaderSkin: return skin_layer(m, f, surface);
-    case kShaderWet: return wet_layer(m, f, surface);
-    case kShaderFoliage: return foliage_layer(m, f, surface);
-  }
-  return opaque_layer(m, f, surface);
-}
-
 void main() {
   const uvec2 pixel = gl_GlobalInvocationID.xy;
   if (!on_screen(pixel)) return;

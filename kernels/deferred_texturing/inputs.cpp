@@ -69,9 +69,15 @@ void extreme_factors(MaterialRecord& m, Pcg32& rng) {
 }
 
 void add_classes(Builder& b, Random& r, uint32_t layers, double textured) {
-  const size_t choice =
-      r.branch({{"opaque", 0.05}, {"masked", 0.05}, {"two_layer", 0.1}, {"emissive_detail", 0.05}, {"cloth", 0.05},
-                {"skin", 0.05}, {"wet", 0.05}, {"foliage", 0.05}, {"every_class", 0.55}});
+  const size_t choice = r.branch({{"opaque", 0.05},
+                                  {"masked", 0.05},
+                                  {"two_layer", 0.1},
+                                  {"emissive_detail", 0.05},
+                                  {"cloth", 0.05},
+                                  {"skin", 0.05},
+                                  {"wet", 0.05},
+                                  {"foliage", 0.05},
+                                  {"every_class", 0.55}});
   const uint32_t count = 1 + r.rng.below(60);
   for (uint32_t i = 0; i < count; ++i) {
     const auto shader = choice < kShaderClasses ? static_cast<uint32_t>(choice) : r.rng.below(kShaderClasses);
@@ -105,8 +111,7 @@ void add_sheets(Builder& b, Random& r, uint32_t side) {
       corners[r.rng.below(4)][static_cast<int>(r.rng.below(2))] = values[r.rng.below(std::size(values))];
     }
     const Frame frame = frames == 0 ? Frame{} : random_frame(r.rng);
-    const uint32_t surface =
-        b.add_sheet(rect, r.rng.below(static_cast<uint32_t>(b.materials.size())), corners, frame);
+    const uint32_t surface = b.add_sheet(rect, r.rng.below(static_cast<uint32_t>(b.materials.size())), corners, frame);
     if (r.rng.below(3) == 0) b.flag_surface(surface, r.rng.next() & (kVisibilityInstanced | kVisibilityFlipped));
   }
   if (frames == 2)
@@ -173,12 +178,38 @@ Case random_case(Random& r) {
 
 std::vector<std::string> branches() {
   std::vector<std::string> all = kExtentBranches;
-  for (const char* b :
-       {"textures_of_one_texel", "textures_small", "textures_odd", "textures_large", "textures_none", "textures_some",
-        "opaque", "masked", "two_layer", "emissive_detail", "cloth", "skin", "wet", "foliage", "every_class",
-        "factors_plain", "factors_extreme", "screen_empty", "screen_shown", "frames_flat", "frames_turned",
-        "frames_curved", "uv_near", "uv_far", "uv_hostile", "magnified", "one_to_one", "minified", "indices_good",
-        "indices_broken", "lists_padded", "lists_overflow"})
+  for (const char* b : {"textures_of_one_texel",
+                        "textures_small",
+                        "textures_odd",
+                        "textures_large",
+                        "textures_none",
+                        "textures_some",
+                        "opaque",
+                        "masked",
+                        "two_layer",
+                        "emissive_detail",
+                        "cloth",
+                        "skin",
+                        "wet",
+                        "foliage",
+                        "every_class",
+                        "factors_plain",
+                        "factors_extreme",
+                        "screen_empty",
+                        "screen_shown",
+                        "frames_flat",
+                        "frames_turned",
+                        "frames_curved",
+                        "uv_near",
+                        "uv_far",
+                        "uv_hostile",
+                        "magnified",
+                        "one_to_one",
+                        "minified",
+                        "indices_good",
+                        "indices_broken",
+                        "lists_padded",
+                        "lists_overflow"})
     all.push_back(b);
   return all;
 }

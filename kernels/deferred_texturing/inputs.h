@@ -9,9 +9,9 @@ Case typical(Extent);
 // The parameters alone: a frame has a producer for everything else.
 Case frame(const FrameInputs&);
 Inputs inputs();
-std::vector<HardCase> class_cases();    // what each class does
-std::vector<HardCase> sample_cases();   // coordinates, gradients, textures
-std::vector<HardCase> list_cases();     // sizes, lists, hostile indices
+std::vector<HardCase> class_cases();   // what each class does
+std::vector<HardCase> sample_cases();  // coordinates, gradients, textures
+std::vector<HardCase> list_cases();    // sizes, lists, hostile indices
 std::vector<Mutant> mutants();
 
 // Arrays that random and typical cases share: 0 colours (sRGB), 1 surfaces (metallic-roughness and height), 2 normals,

@@ -33,8 +33,7 @@ SHARED_CONST float kLargestNormal = 1e12f;
 SHARED_CONST vec3 kFoliageTint = vec3(0.7f, 0.85f, 0.6f);
 
 #ifdef __cplusplus
-SHARED_LAYOUT(TexturingParams, width, height, surfaces, materials, indices, vertices, shaders, waves,
-              slot_of_class);
+SHARED_LAYOUT(TexturingParams, width, height, surfaces, materials, indices, vertices, shaders, waves, slot_of_class);
 #endif
 SHARED_END
 #endif

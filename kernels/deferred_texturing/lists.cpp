@@ -47,17 +47,26 @@ struct Writer {
 
   // A run, padded to whole waves; stale entries come first where they fit. Their number of waves.
   uint32_t write_run(const Run& run) {
-    const size_t waves = (run.entries.size() + kWaveSize - 1) / kWaveSize, room = waves * kWaveSize - run.entries.size();
+    const size_t waves = (run.entries.size() + kWaveSize - 1) / kWaveSize,
+                 room = waves * kWaveSize - run.entries.size();
     const size_t before = lists.entries.size();
-    if (!l.stale.empty() && room >= l.stale.size())
-      lists.entries.insert(lists.entries.end(), l.stale.begin(), l.stale.end());
+    if (room >= l.stale.size())
+      for (const uint entry : l.stale)
+        if (!run.is_uniform || shows_nothing(entry)) lists.entries.push_back(entry);
     lists.entries.insert(lists.entries.end(), run.entries.begin(), run.entries.end());
     lists.entries.resize(before + waves * kWaveSize, kEntryInvalid);
     return static_cast<uint32_t>(waves);
   }
+  // A wave of one surface may hold such entries without ceasing to be one.
+  bool shows_nothing(uint entry) const {
+    const uint32_t mask = (1u << kEntryCoordinateBits) - 1, x = entry & mask, y = entry >> kEntryCoordinateBits & mask;
+    return x >= l.extent.width || y >= l.extent.height ||
+           (l.visibility[size_t{y} * l.extent.width + x].y & kVisibilitySurfaceMask) >= l.slots.size();
+  }
   uint32_t wave() const { return static_cast<uint32_t>(lists.entries.size() / kWaveSize); }
 
-  void write_kind(const std::vector<Tile>& tiles, bool uniform, std::array<std::vector<uint>, kCommandBuckets>& commands) {
+  void write_kind(const std::vector<Tile>& tiles, bool uniform,
+                  std::array<std::vector<uint>, kCommandBuckets>& commands) {
     for (uint32_t t = 0; t < std::min<size_t>(tiles.size(), l.tiles_with_room); ++t) {
       uint32_t first = wave(), waves = 0;
       for (const auto& [material, run] : tiles[t])

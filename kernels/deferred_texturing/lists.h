@@ -16,10 +16,10 @@ struct Lists {
 struct Listing {
   Extent extent;
   const std::vector<uvec2>& visibility;
-  const std::vector<SurfaceSlot>& slots;      // a surface
-  const std::vector<uint8_t>& copy_bits;      // a pixel, or empty
+  const std::vector<SurfaceSlot>& slots;  // a surface
+  const std::vector<uint8_t>& copy_bits;  // a pixel, or empty
   uint32_t shaders = 0;
-  uint32_t tiles_with_room = ~0u;             // tiles from here on go to the overflow
+  uint32_t tiles_with_room = ~0u;  // tiles from here on go to the overflow
   // Put before a wave's own entries, where there is padding for it: an entry that no list should hold.
   std::vector<uint> stale = {};
 };

@@ -39,7 +39,8 @@ Range upper_weight(Range lower_height, Range upper_height, Range mask, double de
     return (s >= 0 ? depth : lesser) / (depth + lesser);
   };
   const Range s = {upper.low - lower.high, upper.high - lower.low};
-  const double size = std::max({std::fabs(lower.low), std::fabs(lower.high), std::fabs(upper.low), std::fabs(upper.high)});
+  const double size =
+      std::max({std::fabs(lower.low), std::fabs(lower.high), std::fabs(upper.low), std::fabs(upper.high)});
   const double off = 2 * kUlp * (2 * size + depth);
   const double error = 3 * off / depth + 3 * kUlp;
   return {share(s.low) - error, share(s.high) + error};

@@ -1,6 +1,5 @@
 #version 460
 // The material alone. Over waves of one surface.
 #define SHADER_CLASS kShaderOpaque
-#define CLASS_LAYER opaque_layer
 #define ONE_SURFACE
 #include "kernels/deferred_texturing/listed.glsl"

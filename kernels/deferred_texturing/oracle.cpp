@@ -27,10 +27,11 @@ struct Inputs {
 Inputs inputs_of(const Case& c) {
   std::span<const Texture> textures;
   if (const auto it = c.textures.find("textures"); it != c.textures.end()) textures = it->second;
-  return {c.params<TexturingParams>(),    c.input<uvec2>("visibility"),     c.input<SurfaceRecord>("surfaces"),
-          c.input<MaterialRecord>("materials"), c.input<uint>("indices"),   c.input<VertexAttributes>("vertices"),
-          c.input<uint>("barycentrics"),  c.input<uvec2>("derivatives"),    c.input<uvec2>("tangent_frame"),
-          Filter(textures, c.device)};
+  return {c.params<TexturingParams>(),        c.input<uvec2>("visibility"),
+          c.input<SurfaceRecord>("surfaces"), c.input<MaterialRecord>("materials"),
+          c.input<uint>("indices"),           c.input<VertexAttributes>("vertices"),
+          c.input<uint>("barycentrics"),      c.input<uvec2>("derivatives"),
+          c.input<uvec2>("tangent_frame"),    Filter(textures, c.device)};
 }
 
 // The material that textures a surface; kNoMaterial where nothing does.
@@ -146,7 +147,8 @@ TexelRange texel_of(const RangeLayer& l, const Direction& normal) {
     const double reach = normal.error + kOctahedral;
     t.normal_low[i] = at_most(reach < 2 ? normal.middle[i] - reach : -1.001);
     t.normal_high[i] = at_least(reach < 2 ? normal.middle[i] + reach : 1.001);
-    t.emissive_low[i] = emissive[static_cast<size_t>(i)].low, t.emissive_high[i] = emissive[static_cast<size_t>(i)].high;
+    t.emissive_low[i] = emissive[static_cast<size_t>(i)].low,
+    t.emissive_high[i] = emissive[static_cast<size_t>(i)].high;
   }
   const Codes metallic = unorm8(l.metallic), occlusion = unorm8(l.occlusion);
   t.metallic_low = {metallic.low, occlusion.low}, t.metallic_high = {metallic.high, occlusion.high};
@@ -157,12 +159,12 @@ TexelRange texel_at(const Inputs& in, uint64_t pixel) {
   const uvec2 visible = in.visibility[pixel];
   const uint32_t surface = visible.y & kVisibilitySurfaceMask, material = material_of(in, surface);
   if (material == kNoMaterial) return {};
-  const PixelAttributes a =
-      decoded(in.barycentrics[pixel], in.derivatives[pixel], in.tangent_frame[pixel]);
+  const PixelAttributes a = decoded(in.barycentrics[pixel], in.derivatives[pixel], in.tangent_frame[pixel]);
   const RangeFootprint f = footprint_of(corners(in, in.surfaces[surface], visible.x), a);
   const RangeLayer l = shaded(in.materials, material, surface, in.filter, f);
   const MaterialRecord& m = in.materials[material];
-  const bool both_sides = (m.flags & kMaterialDoubleSided) != 0 || m.shader == kShaderMasked || m.shader == kShaderFoliage;
+  const bool both_sides =
+      (m.flags & kMaterialDoubleSided) != 0 || m.shader == kShaderMasked || m.shader == kShaderFoliage;
   return texel_of(l, shading_normal(l.normal, a, both_sides && !a.front_facing));
 }
 

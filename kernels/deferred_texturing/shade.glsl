@@ -7,17 +7,33 @@
 WRITES(13, uint, features);
 
 bool is_seen_from_both_sides(MaterialRecord m) {
+#ifdef MUTANT_21  // masked materials need the flag
+  return (m.flags & kMaterialDoubleSided) != 0u;
+#else
   return (m.flags & kMaterialDoubleSided) != 0u || m.shader == kShaderMasked || m.shader == kShaderFoliage;
+#endif
 }
 
 // World; of a back face that is seen, its other side's.
 vec3 shading_normal(vec3 tangent_space, SurfaceAttributes a, bool both_sides) {
+#ifdef MUTANT_23  // mirrored UVs have no hand
+  const vec3 bitangent = cross(a.normal, a.tangent);
+#else
   const vec3 bitangent = cross(a.normal, a.tangent) * a.handedness;
+#endif
   vec3 n = tangent_space.x * a.tangent + tangent_space.y * bitangent + tangent_space.z * a.normal;
   const float squared = dot(n, n);
   const bool has_direction = !is_below(squared, kLeastNormal) && is_below(squared, kLargestNormal);
+#ifdef MUTANT_24  // a normal that is lost is no number
+  n = n * inversesqrt(squared);
+#else
   n = has_direction ? n * inversesqrt(squared) : a.normal;
+#endif
+#ifdef MUTANT_22  // back faces are turned that should not be
+  return !a.front_facing ? -n : n;
+#else
   return both_sides && !a.front_facing ? -n : n;
+#endif
 }
 
 SurfaceAttributes attributes_at(uvec2 pixel) {

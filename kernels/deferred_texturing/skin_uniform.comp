@@ -1,6 +1,5 @@
 #version 460
 // Thickness for subsurface lighting. Over waves of one surface.
 #define SHADER_CLASS kShaderSkin
-#define CLASS_LAYER skin_layer
 #define ONE_SURFACE
 #include "kernels/deferred_texturing/listed.glsl"
