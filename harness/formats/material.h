@@ -11,13 +11,13 @@ SHARED_CONST uint kNoMaterial = 0xffffffffu;
 // Shader classes: each is a texturing shader of its own. All read base colour, normal, metallic-roughness, occlusion
 // and emission; beyond that
 SHARED_CONST uint kShaderOpaque = 0u;          // nothing
-SHARED_CONST uint kShaderMasked = 1u;          // normals of back faces are turned round
+SHARED_CONST uint kShaderMasked = 1u;          // both sides are seen: normals of back faces are turned
 SHARED_CONST uint kShaderTwoLayer = 2u;        // a second material on top, where mask and heights say so
 SHARED_CONST uint kShaderEmissiveDetail = 3u;  // emission and base colour times a detail texture of its own scale
-SHARED_CONST uint kShaderCloth = 4u;           // a weave in `detail_texture` that roughens; sheen for lighting
-SHARED_CONST uint kShaderSkin = 5u;            // thickness in `mask_texture`, for subsurface lighting
+SHARED_CONST uint kShaderCloth = 4u;           // height of threads in `detail_texture` R, rough between; sheen by lighting
+SHARED_CONST uint kShaderSkin = 5u;            // thickness in `mask_texture`, kept in place of metallic
 SHARED_CONST uint kShaderWet = 6u;             // wetness in `mask_texture` darkens and smooths (Lagarde 2013)
-SHARED_CONST uint kShaderFoliage = 7u;         // as masked; its tint varies by instance
+SHARED_CONST uint kShaderFoliage = 7u;         // as masked; its tint varies by surface
 SHARED_CONST uint kShaderClasses = 8u;
 
 struct MaterialRecord {

@@ -1,0 +1,4 @@
+#version 460
+// A detail texture over base colour and emission.
+#define SHADER_CLASS kShaderEmissiveDetail
+#include "kernels/deferred_texturing/listed.glsl"

@@ -1,0 +1,39 @@
+#include "kernels/deferred_texturing/inputs.h"
+
+namespace assay::deferred_texturing {
+
+std::vector<Mutant> mutants() {
+  return {
+      {"common.glsl", 1, "the last column is left out", "one_pixel"},
+      {"common.glsl", 2, "the instanced flag counts as part of the surface", "flags"},
+      {"common.glsl", 3, "one surface too many", "surface_out_of_range"},
+      {"common.glsl", 4, "NaN goes to the sampler", "uv_beyond"},
+      {"common.glsl", 5, "all meshes begin at the first vertex", "odd_extent"},
+      {"common.glsl", 6, "only the way across is minified", "gradient_of_y"},
+      {"common.glsl", 7, "the third vertex counts as the second", "magnified"},
+      {"classes.glsl", 8, "metallic and roughness change places", "class_opaque"},
+      {"classes.glsl", 9, "the strength of occlusion is a factor", "class_opaque"},
+      {"classes.glsl", 10, "a normal's z is scaled too", "normal_scaled"},
+      {"classes.glsl", 11, "the detail's scale is forgotten", "detail_scale"},
+      {"classes.glsl", 12, "heights do not count", "layers_by_height"},
+      {"classes.glsl", 13, "the lower layer on top", "layers_by_mask"},
+      {"classes.glsl", 14, "one layer too many", "layer_past_end"},
+      {"classes.glsl", 15, "emission without its detail", "class_emissive_detail"},
+      {"classes.glsl", 16, "threads are rough and gaps smooth", "class_cloth"},
+      {"classes.glsl", 17, "the thickness of metal", "class_skin"},
+      {"classes.glsl", 18, "metal has pores", "class_wet_metal"},
+      {"classes.glsl", 19, "water does not smooth", "class_wet"},
+      {"classes.glsl", 20, "all instances have one tint", "class_foliage"},
+      {"shade.glsl", 21, "masked materials need the flag", "class_masked"},
+      {"shade.glsl", 22, "back faces are turned that should not be", "back_faces_kept"},
+      {"shade.glsl", 23, "mirrored UVs have no hand", "back_faces_turned"},
+      {"shade.glsl", 24, "a normal that is lost is no number", "normal_lost"},
+      {"listed.glsl", 25, "all waves are taken for uniform", "one_material"},
+      {"listed.glsl", 26, "another class's pixels are textured as this one's", "stale_entries"},
+      {"listed.glsl", 27, "copies go right and down, not to the quad", "copies"},
+      {"listed.glsl", 28, "a copy beyond the edge lands in the next row", "copies"},
+      {"background.comp", 29, "only the sky is background", "surface_out_of_range"},
+  };
+}
+
+}  // namespace assay::deferred_texturing

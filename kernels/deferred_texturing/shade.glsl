@@ -1,0 +1,56 @@
+// From a sampled material to the G-buffer.
+#ifndef DEFERRED_TEXTURING_SHADE
+#define DEFERRED_TEXTURING_SHADE
+#include "kernels/deferred_texturing/classes.glsl"
+#define GBUFFER_WRITES 9
+#include "harness/glsl/gbuffer.glsl"
+WRITES(13, uint, features);
+
+bool is_seen_from_both_sides(MaterialRecord m) {
+#ifdef MUTANT_21  // masked materials need the flag
+  return (m.flags & kMaterialDoubleSided) != 0u;
+#else
+  return (m.flags & kMaterialDoubleSided) != 0u || m.shader == kShaderMasked || m.shader == kShaderFoliage;
+#endif
+}
+
+// World; of a back face that is seen, its other side's.
+vec3 shading_normal(vec3 tangent_space, SurfaceAttributes a, bool both_sides) {
+#ifdef MUTANT_23  // mirrored UVs have no hand
+  const vec3 bitangent = cross(a.normal, a.tangent);
+#else
+  const vec3 bitangent = cross(a.normal, a.tangent) * a.handedness;
+#endif
+  vec3 n = tangent_space.x * a.tangent + tangent_space.y * bitangent + tangent_space.z * a.normal;
+  const float squared = dot(n, n);
+  const bool has_direction = !is_below(squared, kLeastNormal) && is_below(squared, kLargestNormal);
+#ifdef MUTANT_24  // a normal that is lost is no number
+  n = n * inversesqrt(squared);
+#else
+  n = has_direction ? n * inversesqrt(squared) : a.normal;
+#endif
+#ifdef MUTANT_22  // back faces are turned that should not be
+  return !a.front_facing ? -n : n;
+#else
+  return both_sides && !a.front_facing ? -n : n;
+#endif
+}
+
+SurfaceAttributes attributes_at(uvec2 pixel) {
+  const uint i = pixel_number(pixel);
+  return decode_attributes(barycentrics[i], derivatives[i], tangent_frame[i]);
+}
+
+GBufferTexel texel_of(Layer l, SurfaceAttributes a, bool both_sides) {
+  return GBufferTexel(l.base, l.roughness, shading_normal(l.normal, a, both_sides), l.metallic, l.occlusion,
+                      l.emissive);
+}
+void store(uvec2 pixel, GBufferTexel t, uint bits) {
+  store_gbuffer(pixel, t);
+  features[pixel_number(pixel)] = bits;
+}
+void store_nothing(uvec2 pixel) {
+  store_no_surface(pixel);
+  features[pixel_number(pixel)] = 0u;
+}
+#endif

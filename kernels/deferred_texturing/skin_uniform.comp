@@ -1,0 +1,5 @@
+#version 460
+// Thickness for subsurface lighting. Over waves of one surface.
+#define SHADER_CLASS kShaderSkin
+#define ONE_SURFACE
+#include "kernels/deferred_texturing/listed.glsl"

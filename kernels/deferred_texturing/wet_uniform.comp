@@ -1,0 +1,5 @@
+#version 460
+// Water that darkens and smooths. Over waves of one surface.
+#define SHADER_CLASS kShaderWet
+#define ONE_SURFACE
+#include "kernels/deferred_texturing/listed.glsl"
