@@ -59,7 +59,7 @@ Groups groups(const Case& c) { return {ceil_div(c.params<FaultParams>().count, 6
 Variant variant(const char* name) { return {.name = name, .passes = {Dispatch{std::string(name) + ".comp", groups}}}; }
 
 Cost cost(const Case& c) {
-  return {.bytes_read = 4 * pixels(c), .bytes_written = 12 * pixels(c) + 4 * kSpare, .operations = pixels(c)};
+  return {.bytes_read = 4 * pixels(c), .bytes_written = 12 * pixels(c) + uint64_t{4} * kSpare, .operations = pixels(c)};
 }
 
 }  // namespace
