@@ -31,7 +31,11 @@ uint wave_of_row() {
 bool commanded_pixel(out uvec2 pixel, out uint copy_bits) {
   pixel = uvec2(0u);
   copy_bits = 0u;
+#ifdef MUTANT_9105  // the first slot's rows, whatever the slot
+  const CommandRow list = PIXEL_COMMAND_ROWS[row];
+#else
   const CommandRow list = PIXEL_COMMAND_ROWS[PIXEL_SHADER_SLOT * kCommandRows + row];
+#endif
   const uint wave = wave_of_row();
   const uint bucket = one_material_a_wave() ? row % kCommandBuckets : 0u;
   const uint command = wave >> bucket;
