@@ -35,27 +35,31 @@ uint wave_of_row() {
 bool commanded_pixel(out uvec2 pixel, out uint copy_bits) {
   pixel = uvec2(0u);
   copy_bits = 0u;
+#ifdef MUTANT_9205  // the first slot's rows, whatever the slot
+  const CommandRow list = PIXEL_COMMAND_ROWS[PIXEL_ROW];
+#else
   const CommandRow list = PIXEL_COMMAND_ROWS[PIXEL_SHADER_SLOT * kCommandRows + PIXEL_ROW];
+#endif
   const uint wave = wave_of_row();
   const uint bucket = one_material_a_wave() ? PIXEL_ROW % kCommandBuckets : 0u;
   const uint command = wave >> bucket;
-#ifdef MUTANT_9101  // one command too many
+#ifdef MUTANT_9201  // one command too many
   if (command > list.count) return false;
 #else
   if (command >= list.count) return false;
 #endif
-#ifdef MUTANT_9102  // every wave of a command is its first
+#ifdef MUTANT_9202  // every wave of a command is its first
   const uint within = 0u;
 #else
   const uint within = wave & ((1u << bucket) - 1u);
 #endif
-#ifdef MUTANT_9103  // the overflow taken for a list of commands
+#ifdef MUTANT_9203  // the overflow taken for a list of commands
   const uint first = PIXEL_COMMANDS[list.first + command] + within;
 #else
   const uint first = one_material_a_wave() ? PIXEL_COMMANDS[list.first + command] + within : list.first + wave;
 #endif
   const uint entry = PIXEL_ENTRIES[first * kWaveSize + gl_LocalInvocationID.x % kWaveSize];
-#ifndef MUTANT_9104  // padding is shaded
+#ifndef MUTANT_9204  // padding is shaded
   if ((entry & kEntryInvalid) != 0u) return false;
 #endif
   const uint mask = (1u << kEntryCoordinateBits) - 1u;
