@@ -353,6 +353,8 @@ std::vector<Mutant> mutants() {
       {"commands_stable.comp", 27, "the barrier before the sum is dropped", "tiles_1536"},
       {"global_pixels.glsl", 28, "a slot in global memory is taken without an atomic", "hash_collisions"},
       {"global_count.glsl", 29, "the atomic of a pixel is lost", "one_material"},
+      {"sort_scatter.glsl", 30, "the barrier after the scan of a block is dropped", "forty_surfaces"},
+      {"sort_scan.comp", 31, "a block's own pairs are before it", "forty_surfaces"},
       {"digits.glsl", 25, "what is beyond the last bucket is one command", "small_waves"},
   };
 }

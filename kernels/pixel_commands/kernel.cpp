@@ -1,5 +1,7 @@
 #include "harness/kernel.h"
 
+#include <algorithm>
+
 #include "harness/groups.h"
 #include "kernels/pixel_commands/inputs.h"
 #include "kernels/pixel_commands/oracle.h"
@@ -40,10 +42,45 @@ std::vector<Pass> in_order(std::initializer_list<std::vector<Pass>> parts) {
 
 Extent copies_extent(const Case& c) { return has_copies(c) ? c.extent : Extent{1, 1}; }
 
+// Keys of listed pixels are below it.
+uint64_t key_range(const Case& c) {
+  return live_shaders(c) * tiles(c) * std::min(c.params<CommandParams>().materials, kMaxMaterials);
+}
+
+// Ports that the list-making variants share, and those that only some have.
+Port listed(Port port) {
+  port.only_in = {"global_atomics", "tile_local", "subgroup", "stable"};
+  return port;
+}
+Port in_sort(const char* name, Count n) {
+  Port port = writes<uint>(name, std::move(n));
+  port.only_in = {"sort"};
+  return port;
+}
 Port table(const char* name) {
   Port port = writes<uint>(name, [](const Case& c) { return tiles(c) * kTilePixels; });
   port.only_in = {"global_atomics"};
   return port;
+}
+
+// The sort takes four bits a pass, there and back, as many as the keys have: unlisted pixels' are all ones.
+uint64_t sort_blocks(const Case& c) { return (pixels(c) + 4095) / 4096; }
+uint64_t sort_counters(const Case& c) { return 16 * (sort_blocks(c) + 1); }
+std::vector<Pass> sorting() {
+  std::vector<Pass> passes = by_copies("sort_keys", per_pixel);
+  for (uint32_t shift = 0; shift < 32; shift += 4) {
+    const auto only = [shift](Count groups) {
+      return [shift, groups = std::move(groups)](const Case& c) {
+        const uint32_t low = shift / 8 * 8;  // the first of a pair of passes
+        return key_range(c) >> low > 0 ? spread_groups(groups(c)) : Groups{0, 1, 1};
+      };
+    };
+    const std::string way = shift % 8 == 0 ? "there" : "back";
+    passes.insert(passes.end(), {Dispatch{"sort_count_" + way + ".comp", only(sort_blocks)},
+                                 Dispatch{"sort_scan.comp", only(fixed(16))},
+                                 Dispatch{"sort_scatter_" + way + ".comp", only(sort_blocks)}});
+  }
+  return passes;
 }
 
 Port copy_bits() {
@@ -90,7 +127,11 @@ std::vector<Variant> variants() {
                            by_copies("scatter_stable", per_tile)}),
        .constants = {{"THREADS", {256}}},
        .bounds = bounds(true),
-       .note = "pixels in scan order, commands in the order of tiles: the same bits every time"}};
+       .note = "pixels in scan order, commands in the order of tiles: the same bits every time"},
+      {.name = "sort",
+       .passes = sorting(),
+       .bounds = {{exact("sorted", "integers only, a stable sort")}},
+       .note = "baseline: a radix sort by shader, tile and material, without padding, counts or commands"}};
 }
 
 Cost cost(const Case& c) {
@@ -111,11 +152,13 @@ Kernel describe() {
       .params = layout_of<CommandParams>(),
       .ports = {reads_image("visibility", Format::rg32_uint, {"visibility.visibility"}),
                 reads<SurfaceSlot>("surface_slots", surfaces, {"scene.surface_slots"}), copy_bits(),
-                writes<TileCommands>("tiles", tile_shaders), writes<ShaderCommands>("shaders", shaders),
-                writes<CommandRow>("command_rows", rows), writes<DispatchArgs>("args", rows),
-                writes<uint>("commands", waves), writes<WaveMaterial>("wave_materials", waves),
-                writes<CommandStatus>("status", fixed(1)), writes<uint>("entries", entries), table("table_surfaces"),
-                table("table_pixels")},
+                listed(writes<TileCommands>("tiles", tile_shaders)), listed(writes<ShaderCommands>("shaders", shaders)),
+                listed(writes<CommandRow>("command_rows", rows)), listed(writes<DispatchArgs>("args", rows)),
+                listed(writes<uint>("commands", waves)), listed(writes<WaveMaterial>("wave_materials", waves)),
+                listed(writes<CommandStatus>("status", fixed(1))), listed(writes<uint>("entries", entries)),
+                table("table_surfaces"), table("table_pixels"), in_sort("sort_keys", pixels), in_sort("sorted", pixels),
+                in_sort("other_keys", pixels), in_sort("other_sorted", pixels), in_sort("digit_counts", sort_counters),
+                in_sort("sort_shift", fixed(2))},
       .variants = variants(),
       .oracle = list_pixels,
       .inputs = inputs(),

@@ -187,6 +187,22 @@ void lay_out_rows(const Sorted& l, Lists& to, Answer& answer) {
   answer["args"] = expect_all(args);
 }
 
+// The baseline's answer: pixels by shader, tile and material, in scan order; then an invalid entry for each of the
+// rest.
+std::vector<uint> sorted_pixels(const Sorted& l) {
+  std::vector<uint> sorted;
+  for (const TileSums& tile : l.sums) {
+    std::vector<Group> groups(tile.groups.begin(), tile.groups.end());
+    std::ranges::sort(groups, {}, &Group::material);
+    for (const Group& g : groups) {
+      const auto from = l.grouped.entries.begin() + static_cast<std::ptrdiff_t>(g.first);
+      sorted.insert(sorted.end(), from, from + static_cast<std::ptrdiff_t>(g.pixels));
+    }
+  }
+  sorted.resize(pixels(l.input), 1u << 31);
+  return sorted;
+}
+
 template <class T>
 Expected in_runs(const std::vector<T>& elements, std::vector<Expected::Run> runs) {
   Expected expected = expect_all(elements);
@@ -225,6 +241,7 @@ Answer list_pixels(const Case& c) {
   answer["wave_materials"] = in_runs(lists.wave_materials, waves);
   answer["shaders"] = expect_all(lists.shaders);
   answer["tiles"] = expect_all(lists.tiles);
+  answer["sorted"] = expect_all(sorted_pixels(l));
   answer["status"] = expect_all(std::vector{status});
   return answer;
 }
