@@ -49,12 +49,30 @@ uint64_t key_range(const Case& c) {
 
 // Ports that the list-making variants share, and those that only some have.
 Port listed(Port port) {
-  port.only_in = {"global_atomics", "tile_local", "subgroup", "stable"};
+  port.only_in = {"global_atomics", "tile_local", "subgroup", "single_pass", "stable", "dispatch_per_tile"};
   return port;
 }
 Port in_sort(const char* name, Count n) {
   Port port = writes<uint>(name, std::move(n));
   port.only_in = {"sort"};
+  return port;
+}
+// Two words, the rows, then two words a shader and tile (chain.glsl).
+Port chain() {
+  Port port = writes<uint>(
+      "chain", [](const Case& c) { return 2 + uint64_t{live_shaders(c)} * kOverflowRow + 2 * tile_shaders(c); });
+  port.only_in = {"single_pass"};
+  return port;
+}
+Port tile_args() {
+  Port port = writes<DispatchArgs>("tile_args", [](const Case& c) { return 2 * tile_shaders(c); });
+  port.only_in = {"dispatch_per_tile"};
+  return port;
+}
+// All but a dispatch a tile have lists of commands.
+Port command_list() {
+  Port port = listed(writes<uint>("commands", waves));
+  std::erase(port.only_in, "dispatch_per_tile");
   return port;
 }
 Port table(const char* name) {
@@ -89,6 +107,15 @@ Port copy_bits() {
   return port;
 }
 
+std::vector<Bound> tile_bounds() {
+  return {exact("status", "integers only, saturated"),
+          exact("tiles", "integers only"),
+          exact("shaders", "integers only"),
+          exact("tile_args", "integers only"),
+          exact("wave_materials", "integers only; groups stand in a fixed order"),
+          same_set("entries", "a group's pixels stand in any order, its padding behind them")};
+}
+
 std::vector<Bound> bounds(bool ordered) {
   const auto list = ordered ? exact : same_set;
   return {exact("status", "integers only, saturated"),
@@ -121,6 +148,14 @@ std::vector<Variant> variants() {
        .constants = {{"THREADS", {256, 64}}},
        .needs = {Feature::subgroup_ballot},
        .note = "in shared memory, an atomic a subgroup and surface"},
+      {.name = "single_pass",
+       .passes = in_order({{Clear{"chain"}},
+                           by_copies("count_chained", per_tile),
+                           {Dispatch{"scan_chained.comp", per_shader}, rows},
+                           by_copies("scatter", per_tile)}),
+       .constants = {{"THREADS", {64, 256}}},
+       .needs = {Feature::forward_progress},
+       .note = "the count adds up the tiles before it as they are counted; a scan where that takes too long"},
       {.name = "stable",
        .passes = in_order({by_copies("count", per_tile),
                            {scan, rows, Dispatch{"commands_stable.comp", per_list}},
@@ -128,6 +163,11 @@ std::vector<Variant> variants() {
        .constants = {{"THREADS", {256}}},
        .bounds = bounds(true),
        .note = "pixels in scan order, commands in the order of tiles: the same bits every time"},
+      {.name = "dispatch_per_tile",
+       .passes = in_order({by_copies("count", per_tile), {scan, rows}, by_copies("scatter_tiles", per_tile)}),
+       .constants = {{"THREADS", {64}}},
+       .bounds = tile_bounds(),
+       .note = "a dispatch a shader, tile and kind in place of lists of commands"},
       {.name = "sort",
        .passes = sorting(),
        .bounds = {{exact("sorted", "integers only, a stable sort")}},
@@ -151,13 +191,25 @@ Kernel describe() {
       .default_variant = "tile_local",
       .params = layout_of<CommandParams>(),
       .ports = {reads_image("visibility", Format::rg32_uint, {"visibility.visibility"}),
-                reads<SurfaceSlot>("surface_slots", surfaces, {"scene.surface_slots"}), copy_bits(),
-                listed(writes<TileCommands>("tiles", tile_shaders)), listed(writes<ShaderCommands>("shaders", shaders)),
-                listed(writes<CommandRow>("command_rows", rows)), listed(writes<DispatchArgs>("args", rows)),
-                listed(writes<uint>("commands", waves)), listed(writes<WaveMaterial>("wave_materials", waves)),
-                listed(writes<CommandStatus>("status", fixed(1))), listed(writes<uint>("entries", entries)),
-                table("table_surfaces"), table("table_pixels"), in_sort("sort_keys", pixels), in_sort("sorted", pixels),
-                in_sort("other_keys", pixels), in_sort("other_sorted", pixels), in_sort("digit_counts", sort_counters),
+                reads<SurfaceSlot>("surface_slots", surfaces, {"scene.surface_slots"}),
+                copy_bits(),
+                listed(writes<TileCommands>("tiles", tile_shaders)),
+                listed(writes<ShaderCommands>("shaders", shaders)),
+                listed(writes<CommandRow>("command_rows", rows)),
+                listed(writes<DispatchArgs>("args", rows)),
+                command_list(),
+                listed(writes<WaveMaterial>("wave_materials", waves)),
+                listed(writes<CommandStatus>("status", fixed(1))),
+                listed(writes<uint>("entries", entries)),
+                chain(),
+                tile_args(),
+                table("table_surfaces"),
+                table("table_pixels"),
+                in_sort("sort_keys", pixels),
+                in_sort("sorted", pixels),
+                in_sort("other_keys", pixels),
+                in_sort("other_sorted", pixels),
+                in_sort("digit_counts", sort_counters),
                 in_sort("sort_shift", fixed(2))},
       .variants = variants(),
       .oracle = list_pixels,
