@@ -337,8 +337,8 @@ std::vector<Mutant> mutants() {
       {"groups.glsl", 10, "several surfaces pass for one", "two_surfaces"},
       {"groups.glsl", 11, "the barrier before the keys is dropped", "high_lanes"},
       {"groups.glsl", 12, "waves are rounded down", "wave_boundaries"},
-      {"scan.comp", 13, "the barrier of the scan is dropped", "tiles_1536"},
-      {"scan.comp", 14, "divergent waves do not count", "two_surfaces"},
+      {"scan.glsl", 13, "the barrier of the scan is dropped", "tiles_1536"},
+      {"scan.glsl", 14, "divergent waves do not count", "two_surfaces"},
       {"room.glsl", 15, "groups of small commands are rounded down", "odd_commands"},
       {"room.glsl", 16, "a tile's own padding is not looked at", "half_padded"},
       {"room.glsl", 17, "the last wave of an overflow is not filled up", "unpadded_shaders"},
@@ -353,6 +353,9 @@ std::vector<Mutant> mutants() {
       {"commands_stable.comp", 27, "the barrier before the sum is dropped", "tiles_1536"},
       {"global_pixels.glsl", 28, "a slot in global memory is taken without an atomic", "hash_collisions"},
       {"global_count.glsl", 29, "the atomic of a pixel is lost", "one_material"},
+      {"place.glsl", 32, "the overflow's waves are dispatched by tile too", "half_padded"},
+      {"sort_scatter.glsl", 30, "the barrier after the scan of a block is dropped", "forty_surfaces"},
+      {"sort_scan.comp", 31, "a block's own pairs are before it", "forty_surfaces"},
       {"digits.glsl", 25, "what is beyond the last bucket is one command", "small_waves"},
   };
 }

@@ -1,5 +1,7 @@
 #include "harness/kernel.h"
 
+#include <algorithm>
+
 #include "harness/groups.h"
 #include "kernels/pixel_commands/inputs.h"
 #include "kernels/pixel_commands/oracle.h"
@@ -40,16 +42,78 @@ std::vector<Pass> in_order(std::initializer_list<std::vector<Pass>> parts) {
 
 Extent copies_extent(const Case& c) { return has_copies(c) ? c.extent : Extent{1, 1}; }
 
+// Keys of listed pixels are below it.
+uint64_t key_range(const Case& c) {
+  return live_shaders(c) * tiles(c) * std::min(c.params<CommandParams>().materials, kMaxMaterials);
+}
+
+// Ports that the list-making variants share, and those that only some have.
+Port listed(Port port) {
+  port.only_in = {"global_atomics", "tile_local", "subgroup", "single_pass", "stable", "dispatch_per_tile"};
+  return port;
+}
+Port in_sort(const char* name, Count n) {
+  Port port = writes<uint>(name, std::move(n));
+  port.only_in = {"sort"};
+  return port;
+}
+// Two words, the rows, then two words a shader and tile (chain.glsl).
+Port chain() {
+  Port port = writes<uint>(
+      "chain", [](const Case& c) { return 2 + uint64_t{live_shaders(c)} * kOverflowRow + 2 * tile_shaders(c); });
+  port.only_in = {"single_pass"};
+  return port;
+}
+Port tile_args() {
+  Port port = writes<DispatchArgs>("tile_args", [](const Case& c) { return 2 * tile_shaders(c); });
+  port.only_in = {"dispatch_per_tile"};
+  return port;
+}
+// All but a dispatch a tile have lists of commands.
+Port command_list() {
+  Port port = listed(writes<uint>("commands", waves));
+  std::erase(port.only_in, "dispatch_per_tile");
+  return port;
+}
 Port table(const char* name) {
   Port port = writes<uint>(name, [](const Case& c) { return tiles(c) * kTilePixels; });
   port.only_in = {"global_atomics"};
   return port;
 }
 
+// The sort takes four bits a pass, there and back, as many as the keys have: unlisted pixels' are all ones.
+uint64_t sort_blocks(const Case& c) { return (pixels(c) + 4095) / 4096; }
+uint64_t sort_counters(const Case& c) { return 16 * (sort_blocks(c) + 1); }
+std::vector<Pass> sorting() {
+  std::vector<Pass> passes = by_copies("sort_keys", per_pixel);
+  for (uint32_t shift = 0; shift < 32; shift += 4) {
+    const auto only = [shift](Count groups) {
+      return [shift, groups = std::move(groups)](const Case& c) {
+        const uint32_t low = shift / 8 * 8;  // the first of a pair of passes
+        return key_range(c) >> low > 0 ? spread_groups(groups(c)) : Groups{0, 1, 1};
+      };
+    };
+    const std::string way = shift % 8 == 0 ? "there" : "back";
+    passes.insert(passes.end(), {Dispatch{"sort_count_" + way + ".comp", only(sort_blocks)},
+                                 Dispatch{"sort_scan.comp", only(fixed(16))},
+                                 Dispatch{"sort_scatter_" + way + ".comp", only(sort_blocks)}});
+  }
+  return passes;
+}
+
 Port copy_bits() {
   Port port = reads_image("copy_bits", Format::r8_uint, {"vrcs_coordinates.copy_bits"});
   port.extent = copies_extent;
   return port;
+}
+
+std::vector<Bound> tile_bounds() {
+  return {exact("status", "integers only, saturated"),
+          exact("tiles", "integers only"),
+          exact("shaders", "integers only"),
+          exact("tile_args", "integers only"),
+          exact("wave_materials", "integers only; groups stand in a fixed order"),
+          same_set("entries", "a group's pixels stand in any order, its padding behind them")};
 }
 
 std::vector<Bound> bounds(bool ordered) {
@@ -84,13 +148,30 @@ std::vector<Variant> variants() {
        .constants = {{"THREADS", {256, 64}}},
        .needs = {Feature::subgroup_ballot},
        .note = "in shared memory, an atomic a subgroup and surface"},
+      {.name = "single_pass",
+       .passes = in_order({{Clear{"chain"}},
+                           by_copies("count_chained", per_tile),
+                           {Dispatch{"scan_chained.comp", per_shader}, rows},
+                           by_copies("scatter", per_tile)}),
+       .constants = {{"THREADS", {64, 256}}},
+       .needs = {Feature::forward_progress},
+       .note = "the count adds up the tiles before it as they are counted; a scan where that takes too long"},
       {.name = "stable",
        .passes = in_order({by_copies("count", per_tile),
                            {scan, rows, Dispatch{"commands_stable.comp", per_list}},
                            by_copies("scatter_stable", per_tile)}),
        .constants = {{"THREADS", {256}}},
        .bounds = bounds(true),
-       .note = "pixels in scan order, commands in the order of tiles: the same bits every time"}};
+       .note = "pixels in scan order, commands in the order of tiles: the same bits every time"},
+      {.name = "dispatch_per_tile",
+       .passes = in_order({by_copies("count", per_tile), {scan, rows}, by_copies("scatter_tiles", per_tile)}),
+       .constants = {{"THREADS", {64}}},
+       .bounds = tile_bounds(),
+       .note = "a dispatch a shader, tile and kind in place of lists of commands"},
+      {.name = "sort",
+       .passes = sorting(),
+       .bounds = {{exact("sorted", "integers only, a stable sort")}},
+       .note = "baseline: a radix sort by shader, tile and material, without padding, counts or commands"}};
 }
 
 Cost cost(const Case& c) {
@@ -110,12 +191,26 @@ Kernel describe() {
       .default_variant = "tile_local",
       .params = layout_of<CommandParams>(),
       .ports = {reads_image("visibility", Format::rg32_uint, {"visibility.visibility"}),
-                reads<SurfaceSlot>("surface_slots", surfaces, {"scene.surface_slots"}), copy_bits(),
-                writes<TileCommands>("tiles", tile_shaders), writes<ShaderCommands>("shaders", shaders),
-                writes<CommandRow>("command_rows", rows), writes<DispatchArgs>("args", rows),
-                writes<uint>("commands", waves), writes<WaveMaterial>("wave_materials", waves),
-                writes<CommandStatus>("status", fixed(1)), writes<uint>("entries", entries), table("table_surfaces"),
-                table("table_pixels")},
+                reads<SurfaceSlot>("surface_slots", surfaces, {"scene.surface_slots"}),
+                copy_bits(),
+                listed(writes<TileCommands>("tiles", tile_shaders)),
+                listed(writes<ShaderCommands>("shaders", shaders)),
+                listed(writes<CommandRow>("command_rows", rows)),
+                listed(writes<DispatchArgs>("args", rows)),
+                command_list(),
+                listed(writes<WaveMaterial>("wave_materials", waves)),
+                listed(writes<CommandStatus>("status", fixed(1))),
+                listed(writes<uint>("entries", entries)),
+                chain(),
+                tile_args(),
+                table("table_surfaces"),
+                table("table_pixels"),
+                in_sort("sort_keys", pixels),
+                in_sort("sorted", pixels),
+                in_sort("other_keys", pixels),
+                in_sort("other_sorted", pixels),
+                in_sort("digit_counts", sort_counters),
+                in_sort("sort_shift", fixed(2))},
       .variants = variants(),
       .oracle = list_pixels,
       .inputs = inputs(),

@@ -6,7 +6,9 @@ READS(3, TileCommands, tiles);
 READS(4, ShaderCommands, shaders);
 WRITES(8, WaveMaterial, wave_materials);
 UPDATES(9, CommandStatus, status);
-#ifndef STABLE
+#if defined(PER_TILE)
+WRITES(7, DispatchArgs, tile_args);
+#elif !defined(STABLE)
 #include "kernels/pixel_commands/commands.glsl"
 #endif
 
@@ -123,11 +125,29 @@ void fill_rest(uint shader, uint tile) {
     entries[(shaders[shader].overflow_first << wave_log2()) + i] = kEntryInvalid;
 }
 
+#ifdef PER_TILE
+void dispatch_tile(uint shader, uint tile) {
+  const uint at = shader * tile_count(extent()) + tile;
+  const bool padded = tile < shaders[shader].padded_tiles;
+  for (uint kind = 0u; kind < 2u; ++kind) {
+#ifdef MUTANT_32  // the overflow's waves are dispatched by tile too
+    const uint waves = shader_waves[shader] >> 16u * kind & 0xffffu;
+#else
+    const uint waves = padded ? shader_waves[shader] >> 16u * kind & 0xffffu : 0u;
+#endif
+    tile_args[at * 2u + kind] = DispatchArgs(ceil_div(waves, 1u << waves_per_group_log2()), 1u, 1u);
+  }
+}
+#endif
+
 void write_commands(uint tile) {
   for (uint s = gl_LocalInvocationID.x; s < shader_slots(); s += THREADS) {
+#ifdef PER_TILE
+    dispatch_tile(s, tile);
+#endif
     if (shader_pixels[s] == 0u) continue;
     if (tile < shaders[s].padded_tiles) {
-#ifndef STABLE
+#if !defined(STABLE) && !defined(PER_TILE)
       const uint first = shaders[s].first + tiles[s * tile_count(extent()) + tile].waves_before;
       command_waves(s, kUniformLists, first, shader_waves[s] & 0xffffu);
       command_waves(s, kDivergentLists, first + (shader_waves[s] & 0xffffu), shader_waves[s] >> 16u);
