@@ -195,7 +195,7 @@ TEST(Scene, ShaderClassesFollowTheFeatures) {
   const std::pair<scene::Material, uint32_t> expected[] = {
       {{.name = "stone"}, kShaderOpaque},
       {{.name = "chain", .alpha = AlphaMode::masked}, kShaderMasked},
-      {{.name = "sheet", .double_sided = true}, kShaderMasked},
+      {{.name = "sheet", .double_sided = true}, kShaderOpaque},
       {{.name = "leaf", .alpha = AlphaMode::masked}, kShaderFoliage},
       {{.name = "leaf"}, kShaderOpaque},  // not masked: a carved one
       {{.name = "curtain", .alpha = AlphaMode::masked}, kShaderCloth},
