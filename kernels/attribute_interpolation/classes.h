@@ -16,7 +16,8 @@ struct InputClass {
   uvec2 viewport;
   ClipSample (*make)(Pcg32&, uvec2 pixel, uvec2 viewport);
   Goal goal;
-  const char* why;  // what is hard about it
+  const char* why;         // what is hard about it
+  bool undecided = false;  // many are: float arithmetic cannot tell on which side of its edges the centre lies
 };
 std::span<const InputClass> input_classes();
 const InputClass& input_class(const std::string& name);

@@ -105,7 +105,8 @@ std::vector<Figure> figures(const Variant& v, const Case& c, const std::map<std:
   Errors e;
   for (uint64_t i = 0; i < scene.params.clip_samples; ++i) {
     const auto triangle = triangle_at(scene, i);
-    const Mapping mapping = {{rng.range(-1, 1), rng.range(-1, 1)}, {rng.range(-1, 1), rng.range(-1, 1)}};
+    const dvec2 uv[] = {{rng.unit(), rng.unit()}, {rng.unit(), rng.unit()}, {rng.unit(), rng.unit()}};
+    const Mapping mapping = {uv[1] - uv[0], uv[2] - uv[0]};
     if (!hit(*triangle, Formula::compensated).determined) ++e.undetermined;
     const Hit exact = hit(*triangle, Formula::paired);
     if (exact.determined) e.add(stored_answer(written, i, encoding_of(v)), exact_answer(exact), mapping);

@@ -1,7 +1,7 @@
 // The tangent frame in world space, on the side that the mesh says.
 struct TangentFrame {
   vec3 normal, tangent;  // unit length
-  bool left_handed;
+  bool left_handed;  // before a mirror; a triangle's, not a blend: the first vertex's
 };
 
 // Unit length, or `fallback` where a direction cannot be told: nothing, or a length beyond 2^+-100, or NaN.
@@ -34,12 +34,7 @@ TangentFrame frame_of(Triangle t, vec3 weights) {
 #else
   const vec3 world = side * vec3(dot(cross(y, z), n), dot(cross(z, x), n), dot(cross(x, y), n));
 #endif
-  // Handedness is a triangle's, not a blend: the first vertex's, turned round by a mirror.
-#ifdef MUTANT_9
-  const bool left_handed = attributes[t.vertices.x].tangent.w < 0.0;
-#else
-  const bool left_handed = side * attributes[t.vertices.x].tangent.w < 0.0;
-#endif
   return TangentFrame(direction_or(world, no_normal),
-                      direction_or(vec3(dot(x, along_u), dot(y, along_u), dot(z, along_u)), no_tangent), left_handed);
+                      direction_or(vec3(dot(x, along_u), dot(y, along_u), dot(z, along_u)), no_tangent),
+                      attributes[t.vertices.x].tangent.w < 0.0);
 }

@@ -147,15 +147,15 @@ Case patchwork(bool axes) {
       v = {axes ? vec3(1, 0, 0) : some_direction(rng), vec4(axes ? vec3(0, 1, 0) : some_direction(rng), 1), vec2(0)};
       v.tangent.w = (column + row) % 2 == 0 ? 1.0f : -1.0f;
     }
-    const uint32_t first = scene.add_triangle({corner(0, 0), corner(1, 0), corner(0, 1)}, a),
-                   second = scene.add_triangle({corner(1, 1), corner(1, 0), corner(0, 1)}, a);
+    const uint32_t first = scene.add_triangle({corner(1, 0), corner(0, 1), corner(0, 0)}, a),
+                   second = scene.add_triangle({corner(1, 0), corner(0, 1), corner(1, 1)}, a);
     for (uint32_t i = 0; i < kCell * kCell; ++i) {
       const uint32_t x = i % kCell, y = i / kCell;
       scene.show(column * kCell + x, row * kCell + y, x + y + 1 < kCell ? first : second);
     }
   }
   // One word all ones and the other not: the last surface's, not no surface.
-  scene.show_bits(63, 63, {3, kVisibilityNone});
+  scene.show_bits(63, 63, {7, kVisibilityNone});
   scene.show_bits(62, 63, {kVisibilityNone, kVisibilityNone});
   return scene.finish("patchwork");
 }

@@ -78,6 +78,11 @@ uint flags_of(Interpolated i, bool flipped, TangentFrame f) {
 #else
   const bool normal_negative = f.normal.z < 0.0;
 #endif
+#ifdef MUTANT_9
+  const bool left_handed = f.left_handed;
+#else
+  const bool left_handed = f.left_handed != flipped;
+#endif
   return (front ? kAttributeFrontFacing : 0u) | (normal_negative ? kAttributeNormalNegative : 0u) |
-         (f.tangent.z < 0.0 ? kAttributeTangentNegative : 0u) | (f.left_handed ? kAttributeLeftHanded : 0u);
+         (f.tangent.z < 0.0 ? kAttributeTangentNegative : 0u) | (left_handed ? kAttributeLeftHanded : 0u);
 }

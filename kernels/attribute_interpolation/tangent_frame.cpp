@@ -50,7 +50,7 @@ Direction direction_or(const Vector& v, int fallback) {
 TangentFrame frame_of(const SeenTriangle& t, const Hit& h) {
   if (!t.surface) return {axis(2), axis(0), false};
   TangentFrame f;
-  f.left_handed = (t.flipped ? -1.0f : 1.0f) * t.attributes[0]->tangent.w < 0;
+  f.left_handed = (t.attributes[0]->tangent.w < 0) != t.flipped;
   if (!h.determined) return f;
   Vector n = {}, along_u = {};
   for (int k = 0; k < 3; ++k) {
