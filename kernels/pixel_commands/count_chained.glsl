@@ -2,7 +2,7 @@
 // (Merrill, Garland 2016, decoupled look-back), a thread a shader. A tile's state is its own sums until it knows all
 // before it. Tiles are taken in the order in which groups start, so that those waited for have started.
 // A wait is bounded: a thread that gives up says so, and scan_chained.comp scans as ever.
-// Loop turns of an invocation: as count.glsl, and for each shader of its share the look-back and at most kPatience waits.
+// Loop turns of an invocation: as count.glsl, and for each shader of its share the look-back and at most PATIENCE waits.
 #include "kernels/pixel_commands/common.glsl"
 #include "kernels/pixel_commands/pixels.glsl"
 #include "kernels/pixel_commands/slots.glsl"
@@ -19,7 +19,7 @@ UPDATES(4, uint, chain);
 const uint kOwn = 1u << 30;        // a sum of the tile alone
 const uint kInclusive = 2u << 30;  // of the tile and all before it
 const uint kSum = kOwn - 1u;
-const uint kPatience = 4096u;
+layout(constant_id = 1) const uint PATIENCE = 4096u;
 
 shared uint taken;
 
@@ -30,7 +30,7 @@ void publish(uint at, uint state) { atomicExchange(chain[at], state); }
 // The sum of word `word` of the shader's tiles before this one; false where it waited too long.
 bool sum_before(uint shader, uint tile, uint word, out uint sum) {
   const uint row = chain_sums() + shader * tile_count(extent()) * 2u;
-  uint patience = kPatience;
+  uint patience = PATIENCE;
   sum = 0u;
   for (uint t = tile; t > 0u;) {
     const uint state = state_at(row + (t - 1u) * 2u + word);
@@ -53,7 +53,11 @@ void chain_shader(uint shader, uint tile) {
   publish(sums + 1u, waves | kOwn);
   uint pixels_before, waves_before;
   if (sum_before(shader, tile, 0u, pixels_before) && sum_before(shader, tile, 1u, waves_before)) {
+#ifdef MUTANT_35  // what is before is left out
+    publish(sums, shader_pixels[shader] | kInclusive);
+#else
     publish(sums, pixels_before + shader_pixels[shader] | kInclusive);
+#endif
     publish(sums + 1u, waves_before + waves | kInclusive);
   } else {
     atomicOr(chain[kChainGaveUp], 1u);

@@ -14,6 +14,9 @@ void main() {
   clear_table();
   load_table(tile);
   place_groups(tile);
+#ifndef MUTANT_34  // the barrier dropped: waves of groups that higher subgroups have yet to place
+  barrier();
+#endif
   for (uint i = gl_LocalInvocationID.x; i < used; i += THREADS)
     table_pixels[tile * kTilePixels + used_slots[i]] = place_at[used_slots[i]];
   write_waves(tile);

@@ -112,6 +112,7 @@ std::vector<Bound> tile_bounds() {
           exact("tiles", "integers only"),
           exact("shaders", "integers only"),
           exact("tile_args", "integers only"),
+          exact("args", "integers only"),
           exact("wave_materials", "integers only; groups stand in a fixed order"),
           same_set("entries", "a group's pixels stand in any order, its padding behind them")};
 }
@@ -153,7 +154,7 @@ std::vector<Variant> variants() {
                            by_copies("count_chained", per_tile),
                            {Dispatch{"scan_chained.comp", per_shader}, rows},
                            by_copies("scatter", per_tile)}),
-       .constants = {{"THREADS", {64, 256}}},
+       .constants = {{"THREADS", {64, 256}}, {"PATIENCE", {4096, 1}}},
        .needs = {Feature::forward_progress},
        .note = "the count adds up the tiles before it as they are counted; a scan where that takes too long"},
       {.name = "stable",

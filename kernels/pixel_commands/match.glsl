@@ -1,4 +1,5 @@
 // How a variant counts the pixels of a tile's surfaces.
+#include "kernels/pixel_commands/slot_of.glsl"
 #ifdef MATCH_LANES
 #include "kernels/pixel_commands/match_lanes.glsl"
 #else

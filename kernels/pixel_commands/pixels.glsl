@@ -11,8 +11,8 @@ uint surface_of_pixel(uvec2 pixel) {
   if (!on_screen(pixel, extent())) return kNoSurface;
   if ((copy_bits_of(pixel) & kCopyDuplicate) != 0u) return kNoSurface;
   const uvec2 seen = texelFetch(visibility, ivec2(pixel), 0).xy;
-#ifdef MUTANT_2  // the last surface index is taken for none at all, whatever the triangle
-  if ((seen.y & kVisibilitySurfaceMask) == kVisibilitySurfaceMask) return kNoSurface;
+#ifdef MUTANT_2  // a triangle of all ones is taken for nothing
+  if (seen.x == kVisibilityNone) return kNoSurface;
 #else
   if (seen == uvec2(kVisibilityNone)) return kNoSurface;
 #endif

@@ -17,6 +17,12 @@ shared uint group_wave[kTilePixels];  // a used slot: first wave of its group; k
 const uint kNowhere = 0xffffffffu;
 shared uint place_at[kTilePixels];  // a slot: entry of its first pixel; kNowhere where there is no room
 
+#ifdef STABLE  // pixels stand in scan order, whatever their surface
+uint place_in_group(uint i) { return 0u; }
+#else
+#include "kernels/pixel_commands/within.glsl"
+#endif
+
 struct Before {  // of the groups of the same shader in the same tile
   uint waves, pixels;
 };
@@ -78,11 +84,7 @@ void place_group(uint i, uint tile) {
   }
   const uint shader = shader_of(key);
   const Before before = groups_before(i);
-#ifdef STABLE  // pixels stand in scan order, whatever their surface
-  const uint within = 0u;
-#else
-  const uint within = group_at[i] & kTilePixels - 1u;
-#endif
+  const uint within = place_in_group(i);
   if (tile < shaders[shader].padded_tiles) {
     const uint at = shader * tile_count(extent()) + tile;
     group_wave[i] = shaders[shader].first + tiles[at].waves_before + before.waves;
@@ -92,12 +94,10 @@ void place_group(uint i, uint tile) {
   }
 }
 
+// Followed by a barrier.
 void place_groups(uint tile) {
   group_surfaces();
   for (uint i = gl_LocalInvocationID.x; i < used; i += THREADS) place_group(i, tile);
-#ifndef MUTANT_20  // the barrier dropped: pixels go where slots of higher subgroups have yet to point
-  barrier();
-#endif
 }
 
 // Fills the last wave of each group up, and says which material its waves have. A wave's lanes each, side by side.

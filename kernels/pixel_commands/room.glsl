@@ -1,6 +1,8 @@
 // Which tiles' groups are padded: tiles are taken in order, shader by shader, while the padding so far leaves room for
 // all pixels unpadded. So no pixel is lost where the capacity holds them all unpadded, and what is padded is a prefix.
 
+#include "kernels/pixel_commands/sums.glsl"
+
 shared uint pixels_of[kMaxShaders];
 shared uint waves_wanted[kMaxShaders];  // were all of it padded
 shared uint padded_tiles_of[kMaxShaders];

@@ -29,9 +29,7 @@ uvec2 sums_before(uint thread, uvec2 own, out uvec2 total) {
     const uvec2 lower = thread >= reach ? sums[from][thread - reach] : uvec2(0u);
     sums[1u - from][thread] = sums[from][thread] + lower;
     from = 1u - from;
-#ifndef MUTANT_13  // the barrier dropped: the next step reads what higher subgroups have not summed
-    barrier();
-#endif
+    STEP_BARRIER();
   }
   barrier();
   total = sums[from][kThreads - 1u];

@@ -22,22 +22,3 @@ void clear_table() {
   if (gl_LocalInvocationID.x == 0u) used = 0u;
   barrier();
 }
-
-// The surface's slot, taken if it has none.
-uint slot_of(uint surface) {
-  uint slot = surface * 2654435769u >> 32u - kSlotBits;  // Knuth's multiplicative hash
-  for (uint probe = 0u; probe < kTilePixels; ++probe) {
-    uint there = surface_at[slot];
-    if (there == kFree) {
-#ifdef MUTANT_6  // a slot is taken without an atomic: two surfaces share it
-      surface_at[slot] = surface;
-#else
-      there = atomicCompSwap(surface_at[slot], kFree, surface);
-#endif
-      if (there == kFree) used_slots[atomicAdd(used, 1u)] = slot;
-    }
-    if (there == kFree || there == surface) break;
-    slot = slot + 1u & kTilePixels - 1u;
-  }
-  return slot;
-}

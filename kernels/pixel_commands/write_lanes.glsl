@@ -1,5 +1,8 @@
 // After match_lanes.glsl: a pixel at its place among those of its surface.
 void write_pixels(uint tile) {
+#ifndef MUTANT_33  // the barrier dropped: pixels go where slots of higher subgroups have yet to point
+  barrier();
+#endif
   for (uint i = 0u; i < kPixelsPerThread; ++i) {
     if (placed[i] == kFree) continue;
     const uint first = place_at[placed[i] >> kSlotBits];

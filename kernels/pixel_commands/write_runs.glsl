@@ -9,6 +9,9 @@ void find_entries() {
 }
 
 void write_pixels(uint tile) {
+#ifndef MUTANT_20  // the barrier dropped: pixels go where slots of higher subgroups have yet to point
+  barrier();
+#endif
   find_entries();
   for (uint i = 0u; i < kPixelsPerThread; ++i) {
     const uint begun = run_starts & (2u << i) - 1u;  // of the runs up to pixel i
