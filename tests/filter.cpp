@@ -57,6 +57,18 @@ uint32_t Filter::levels(uint32_t image) const {
   return n;
 }
 
+double Filter::value(uint32_t image, bool srgb, const Level& l, uint32_t x, uint32_t y, uint32_t channel) const {
+  static const std::array<double, 256> decoded = [] {
+    std::array<double, 256> table = {};
+    for (size_t i = 0; i < 256; ++i) table[i] = srgb_to_linear(static_cast<double>(i) / 255);
+    return table;
+  }();
+  const size_t at = (size_t{y} * l.width + x) * 4 + channel;
+  if (!l.linear.empty()) return double{l.linear[at]};
+  const uint8_t code = scene_.images[image].rgba[at];
+  return srgb && channel != 3 ? decoded[code] : code / 255.0;
+}
+
 const Filter::Level& Filter::level(uint32_t image, bool srgb, uint32_t index) {
   std::vector<Level>& chain = chains_[{image, srgb}];
   while (chain.size() <= index) {
@@ -64,10 +76,6 @@ const Filter::Level& Filter::level(uint32_t image, bool srgb, uint32_t index) {
     Level next;
     if (chain.empty()) {
       next = {source.width, source.height, {}};
-      for (size_t i = 0; i < source.rgba.size(); ++i) {
-        const double code = source.rgba[i] / 255.0;
-        next.linear.push_back(static_cast<float>(srgb && i % 4 != 3 ? srgb_to_linear(code) : code));
-      }
     } else {
       const Level& fine = chain.back();
       next = {std::max(1u, fine.width / 2), std::max(1u, fine.height / 2), {}};
@@ -78,7 +86,7 @@ const Filter::Level& Filter::level(uint32_t image, bool srgb, uint32_t index) {
             for (uint32_t j = y * 2; j < std::min(fine.height, y * 2 + 3); ++j)
               for (uint32_t i = x * 2; i < std::min(fine.width, x * 2 + 3); ++i)
                 sum += overlap(fine.height, next.height, y, j) * overlap(fine.width, next.width, x, i) *
-                       double{fine.linear[(size_t{j} * fine.width + i) * 4 + c]};
+                       value(image, srgb, fine, i, j, c);
             next.linear.push_back(static_cast<float>(sum));
           }
     }
@@ -89,10 +97,10 @@ const Filter::Level& Filter::level(uint32_t image, bool srgb, uint32_t index) {
 
 RangedTexel Filter::texel(uint32_t image, bool srgb, uint32_t index, int64_t x, int64_t y) {
   const Level& l = level(image, srgb, index);
-  const auto wrap = [](int64_t i, uint32_t n) { return static_cast<size_t>((i % n + n) % n); };
+  const auto wrap = [](int64_t i, uint32_t n) { return static_cast<uint32_t>((i % n + n) % n); };
   RangedTexel t;
-  for (size_t c = 0; c < 4; ++c) {
-    const double mean = double{l.linear[(wrap(y, l.height) * l.width + wrap(x, l.width)) * 4 + c]};
+  for (uint32_t c = 0; c < 4; ++c) {
+    const double mean = value(image, srgb, l, wrap(x, l.width), wrap(y, l.height), c);
     const bool curved = srgb && c != 3;
     // Levels below the first are rounded to the nearest code from a mean in floats.
     const double stored = index > 0 ? 0.5 / 255 + 1e-5 : 1e-7, room = stored + (curved ? room_.texel_srgb : 0);

@@ -52,8 +52,9 @@ class Filter {
  private:
   struct Level {
     uint32_t width = 0, height = 0;
-    std::vector<float> linear;  // RGBA; float's own error is under 1e-7, and counted
+    std::vector<float> linear;  // RGBA, empty of the first level, which is the image; float's error is counted
   };
+  double value(uint32_t image, bool srgb, const Level&, uint32_t x, uint32_t y, uint32_t channel) const;
   const Level& level(uint32_t image, bool srgb, uint32_t index);
   RangedTexel sample_level(uint32_t image, bool srgb, uint32_t index, const Footprint&);
 
