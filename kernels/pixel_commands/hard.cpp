@@ -356,7 +356,7 @@ std::vector<Mutant> mutants() {
       {"write_lanes.glsl", 33, "the barrier before the pixels is dropped", "twenty_surfaces"},
       {"global_place.comp", 34, "the barrier before the waves is dropped", "twenty_surfaces"},
       {"count_chained.glsl", 35, "a chained sum leaves out what is before", "one_material"},
-      {"place.glsl", 32, "the overflow's waves are dispatched by tile too", "half_padded"},
+      {"tile_dispatch.glsl", 32, "the overflow's waves are dispatched by tile too", "half_padded"},
       {"sort_scatter.glsl", 30, "the barrier after the scan of a block is dropped", "twenty_surfaces"},
       {"sort_scan.comp", 31, "a block's own pairs are before it", "twenty_surfaces"},
       {"digits.glsl", 25, "what is beyond the last bucket is one command", "small_waves"},

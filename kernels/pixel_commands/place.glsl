@@ -6,9 +6,7 @@ READS(3, TileCommands, tiles);
 READS(4, ShaderCommands, shaders);
 WRITES(8, WaveMaterial, wave_materials);
 UPDATES(9, CommandStatus, status);
-#if defined(PER_TILE)
-WRITES(7, DispatchArgs, tile_args);
-#elif !defined(STABLE)
+#if !defined(PER_TILE) && !defined(STABLE)
 #include "kernels/pixel_commands/commands.glsl"
 #endif
 
@@ -126,18 +124,7 @@ void fill_rest(uint shader, uint tile) {
 }
 
 #ifdef PER_TILE
-void dispatch_tile(uint shader, uint tile) {
-  const uint at = shader * tile_count(extent()) + tile;
-  const bool padded = tile < shaders[shader].padded_tiles;
-  for (uint kind = 0u; kind < 2u; ++kind) {
-#ifdef MUTANT_32  // the overflow's waves are dispatched by tile too
-    const uint waves = shader_waves[shader] >> 16u * kind & 0xffffu;
-#else
-    const uint waves = padded ? shader_waves[shader] >> 16u * kind & 0xffffu : 0u;
-#endif
-    tile_args[at * 2u + kind] = DispatchArgs(ceil_div(waves, 1u << waves_per_group_log2()), 1u, 1u);
-  }
-}
+#include "kernels/pixel_commands/tile_dispatch.glsl"
 #endif
 
 void write_commands(uint tile) {
