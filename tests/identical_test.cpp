@@ -20,7 +20,7 @@ struct Promise {
 };
 const Promise kPromises[] = {
     {"deferred_lighting", {"plain", "tiled_shared", "subgroup_cull"}, {"radiance"}},
-    {"resolve", {"two_level", "subgroup_tree"}, {"partials", "exposure", "image"}},
+    {"resolve", {"two_level", "subgroup_tree", "bucketed_curve"}, {"partials", "exposure", "image"}},
 };
 
 std::vector<Bytes> answers(const Kernel& k, const char* variant, const Case& c, const Promise& p) {

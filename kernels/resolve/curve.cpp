@@ -1,5 +1,7 @@
 #include "kernels/resolve/curve.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -28,6 +30,15 @@ std::vector<float> code_thresholds() {
     thresholds[k] = double{nearest} < exact ? std::nextafter(nearest, std::numeric_limits<float>::infinity()) : nearest;
   }
   return thresholds;
+}
+
+std::vector<uint32_t> bucket_codes(const std::vector<float>& thresholds) {
+  std::vector<uint32_t> codes;
+  for (uint32_t b = 0; b < kBuckets; ++b) {
+    const auto least = std::bit_cast<float>((kFirstBucket + b) << kBucketShift);
+    codes.push_back(static_cast<uint32_t>(std::ranges::upper_bound(thresholds, least) - thresholds.begin()) - 1);
+  }
+  return codes;
 }
 
 }  // namespace assay::resolve

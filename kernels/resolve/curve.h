@@ -1,5 +1,6 @@
 // The tone curve as the table that the shader compares with.
 #pragma once
+#include <cstdint>
 #include <vector>
 
 namespace assay::resolve {
@@ -7,5 +8,8 @@ namespace assay::resolve {
 // [k] is the least float that is given code k by Narkowicz's fit of the ACES curve (2015), sRGB's encoding and rounding
 // to the nearest of 256 codes; [0] is 0.
 std::vector<float> code_thresholds();
+
+// Of each bucket of layout.h, the code of its least float.
+std::vector<uint32_t> bucket_codes(const std::vector<float>& thresholds);
 
 }  // namespace assay::resolve

@@ -38,13 +38,19 @@ Picture filled(Extent e, F at) {
   return p;
 }
 
+void set_curve(Case& c) {
+  static const std::vector<float> thresholds = code_thresholds();
+  c.set_input("thresholds", thresholds);
+  c.set_input("first_codes", bucket_codes(thresholds));
+}
+
 Case to_case(const std::string& name, const Picture& p) {
   Case c = {.name = name, .extent = p.extent};
   ResolveParams params = p.params;
   params.width = p.extent.width, params.height = p.extent.height;
   c.set_params(params);
   c.set_input("radiance", p.texels);
-  c.set_input("thresholds", code_thresholds());
+  set_curve(c);
   return c;
 }
 
@@ -156,6 +162,11 @@ std::vector<HardCase> exposure_cases() {
        })},
       {"blinding", "every pixel at the largest half", made([] {
          return filled({200, 130}, [](uint32_t, uint32_t) { return grey(65504); });
+       })},
+      {"blinding_manual", "infinities and the largest half are white, whatever a table ends at", made([] {
+         return metered_by(
+             filled({64, 64}, [](uint32_t x, uint32_t) { return grey(x % 2 ? 65504 : std::exp2(x % 20)); }),
+             kMeterManual);
        })},
       {"nothing_counts", "only background: exposure 1, compensated", made([] {
          return metered_by(filled({140, 140}, [](uint32_t, uint32_t) { return texel(0.3, 0.2, 0.1, 0); }), kMeterMean,
@@ -272,7 +283,7 @@ Case typical(Extent extent) {
 Case in_frame(const FrameInputs& f) {
   Case c = {.name = "frame", .extent = f.extent};
   c.set_params(ResolveParams{f.extent.width, f.extent.height, kMeterMean, 1, std::exp2(f.exposure_stops)});
-  c.set_input("thresholds", code_thresholds());
+  set_curve(c);
   return c;
 }
 

@@ -42,7 +42,9 @@ std::vector<Mutant> mutants() {
           {"finish.comp", 10, "blocks past the 256th are left out", "many_blocks"},
           {"tone.comp", 11, "> for >= at a threshold", "at_the_thresholds"},
           {"tone.comp", 12, "neighbouring thresholds swapped", "every_half"},
-          {"tone.comp", 13, "red and blue swapped", "channels_apart"}};
+          {"tone.comp", 13, "red and blue swapped", "channels_apart"},
+          {"tone_bucketed.comp", 14, "a bucket's first code for all of it", "every_half"},
+          {"tone_bucketed.comp", 15, "what is past the last bucket is black", "blinding_manual"}};
 }
 
 }  // namespace
@@ -51,9 +53,11 @@ Kernel describe() {
   Port small = writes<PartialSum>("small_partials", [](const Case& c) { return tile_count(c.extent, kSmallBlock); });
   small.only_in = {"sequential_groups"};
   Port partials = writes<PartialSum>("partials", [](const Case& c) { return tile_count(c.extent, kBlockPixels); });
-  partials.only_in = {"two_level", "subgroup_tree", "computed_curve"};
+  partials.only_in = {"two_level", "subgroup_tree", "bucketed_curve", "computed_curve"};
   Port thresholds = reads<float>("thresholds", fixed(kCodes));
-  thresholds.only_in = {"two_level", "subgroup_tree", "sequential_groups"};
+  thresholds.only_in = {"two_level", "subgroup_tree", "bucketed_curve", "sequential_groups"};
+  Port first_codes = reads<uint>("first_codes", fixed(kBuckets));
+  first_codes.only_in = {"bucketed_curve"};
   Bound image = between({"image"}, "exact codes at either end of the exposure's interval");
   image.unpack = Unpack{codes_layout(), unpack_codes};
   return {
@@ -61,8 +65,8 @@ Kernel describe() {
       .source = "Reinhard et al. 2002, exposure; Narkowicz 2015, tone curve; IEC 61966-2-1",
       .default_variant = "two_level",
       .params = layout_of<ResolveParams>(),
-      .ports = {reads_image("radiance", Format::rgba16_float, {"deferred_lighting.radiance"}), thresholds, partials,
-                small, writes<ExposureRecord>("exposure", fixed(1)), writes<uint>("image", pixels)},
+      .ports = {reads_image("radiance", Format::rgba16_float, {"deferred_lighting.radiance"}), thresholds, first_codes,
+                partials, small, writes<ExposureRecord>("exposure", fixed(1)), writes<uint>("image", pixels)},
       .variants = {{.name = "two_level",
                     .passes = passes({"sum_shared.comp", per_block}, "finish.comp", "tone.comp"),
                     .note = "8x8 pixels a thread, trees in and over groups; the curve is a table"},
@@ -71,6 +75,9 @@ Kernel describe() {
                     .needs = {Feature::subgroup_shuffle},
                     .subgroup_min = 4,
                     .note = "the same tree, its lower levels by exchanging lanes: the same bits"},
+                   {.name = "bucketed_curve",
+                    .passes = passes({"sum_shared.comp", per_block}, "finish.comp", "tone_bucketed.comp"),
+                    .note = "a table of buckets says where in the thresholds to begin"},
                    {.name = "sequential_groups",
                     .passes = passes({"sum_small.comp", per_small_block}, "finish_sequential.comp", "tone.comp"),
                     .baseline = true,

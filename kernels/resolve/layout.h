@@ -44,6 +44,11 @@ SHARED_CONST uint kBlockPixels = 128u;  // a side, in groups of 16x16 threads
 SHARED_CONST uint kSmallBlock = 16u;    // a side, in groups of sequential_groups
 SHARED_CONST uint kCodes = 256u;
 
+// Buckets of exposed radiance by a float's leading bits: 64 an octave from 2^-11 to 2^3, where all thresholds lie.
+SHARED_CONST uint kBucketShift = 17u;
+SHARED_CONST uint kFirstBucket = 0x3a000000u >> 17;  // 2^-11
+SHARED_CONST uint kBuckets = 896u;
+
 #ifdef __cplusplus
 SHARED_LAYOUT(ResolveParams, width, height, metering, manual_exposure, compensation);
 SHARED_LAYOUT(PartialSum, sum, counted);

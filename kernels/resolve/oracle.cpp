@@ -52,7 +52,8 @@ Sums sums_of(std::span<const Texel> texels) {
 // blocks a thread of the last pass, its tree's 8. Adding to nothing rounds nothing.
 double additions(Extent e) {
   const uint64_t blocks = pixel_count(tiles_of(e, kBlockPixels));
-  return 7 + 7 + 8 + static_cast<double>((blocks + 255) / 256 - 1) + 8;
+  const uint64_t blocks_a_thread = (blocks + 255) / 256;
+  return 7 + 7 + 8 + static_cast<double>(blocks_a_thread - 1) + 8;
 }
 
 Interval around(double value, double error) {
