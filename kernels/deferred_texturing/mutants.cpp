@@ -32,6 +32,9 @@ std::vector<Mutant> mutants() {
       {"listed.glsl", 26, "another class's pixels are textured as this one's", "stale_entries"},
       {"listed.glsl", 27, "copies go right and down, not to the quad", "copies"},
       {"listed.glsl", 28, "a copy beyond the edge lands in the next row", "copies"},
+      {"harness/glsl/gbuffer.glsl", 9301, "normals of the lower half are not folded", "class_opaque"},
+      {"harness/glsl/gbuffer.glsl", 9303, "emission is truncated", "emissive_rounded"},
+      {"harness/glsl/gbuffer.glsl", 9305, "base colour without its root", "class_opaque"},
       {"background.comp", 29, "only the sky is background", "surface_out_of_range"},
   };
 }
