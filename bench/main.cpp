@@ -53,6 +53,10 @@ void time_entry(benchmark::State& state, Context& context, const report::Entry& 
   state.SetBytesProcessed(static_cast<int64_t>(iterations * static_cast<double>(cost.bytes_read + cost.bytes_written)));
   state.SetItemsProcessed(static_cast<int64_t>(iterations * static_cast<double>(pixel_count(e.extent))));
   state.counters["device_cpu_ns"] = cpu_ns / executions;
+  if (e.variant->baseline) {
+    state.counters["wrong"] = static_cast<double>(verified.violations);
+    state.counters["nan"] = static_cast<double>(verified.nans);
+  }
   state.counters["undecided"] = static_cast<double>(verified.undecided);
   for (const auto& b : verified.bounds) {
     if (std::isfinite(b.worst)) state.counters["error " + b.name] = b.worst;

@@ -35,8 +35,7 @@ constexpr uint64_t pixel_count(Extent e) { return uint64_t{e.width} * e.height; 
 constexpr Extent tiles_of(Extent e, uint32_t side) { return {ceil_div(e.width, side), ceil_div(e.height, side)}; }
 constexpr uint64_t tile_count(Extent e, uint32_t side) { return pixel_count(tiles_of(e, side)); }
 
-// ---- A case: what one run of a kernel starts from
-// --------------------------------------------------------------------
+// ---- A case: what one run of a kernel starts from ----
 
 // clang-format off
 enum class Format {
@@ -108,8 +107,7 @@ inline Count fixed(uint64_t n) {
   return [n](const Case&) { return n; };
 }
 
-// ---- Ports: the typed resources of a kernel
-// --------------------------------------------------------------------------
+// ---- Ports: the typed resources of a kernel ----
 
 enum class Use { reads, writes, updates };
 enum class PortKind { buffer, image, textures };
@@ -170,8 +168,7 @@ inline Port reads_textures(std::string name, uint64_t slots, std::vector<std::st
           .producers = std::move(producers)};
 }
 
-// ---- Passes
-// ----------------------------------------------------------------------------------------------------------
+// ---- Passes ----
 
 // A compute pass. `groups` for a direct one; `indirect` names a port of DispatchArgs, `first_args` its entry.
 // With `repeat` the pass runs once a row of a table: the row number is the shader's `row`, and is added to first_args.
@@ -226,8 +223,7 @@ struct Clear {
 
 using Pass = std::variant<Dispatch, Draw, Clear>;
 
-// ---- Bounds
-// ----------------------------------------------------------------------------------------------------------
+// ---- Bounds ----
 
 enum class Judge { exact, ulps, within, same_set, between };
 
@@ -245,6 +241,7 @@ struct Bound {
   double limit = 0;
   std::string reason;
   std::optional<Unpack> unpack = {};
+  std::string answer = {};  // its name in the oracle's answer; the first port's where empty
 };
 inline Bound exact(std::string port, std::string reason) {
   return {{std::move(port)}, Judge::exact, 0, std::move(reason)};
@@ -279,10 +276,9 @@ struct Expected {
   // same_set compares each run as a multiset.
   std::optional<std::vector<Run>> live = {};
 };
-using Answer = std::map<std::string, Expected>;  // by the bound's first port
+using Answer = std::map<std::string, Expected>;  // by the bound's first port, or the name that the bound gives
 
-// ---- Variants, inputs, cost, kernel
-// ----------------------------------------------------------------------------------
+// ---- Variants, inputs, cost, kernel ----
 
 enum class Feature {
   subgroup_ballot,
@@ -333,6 +329,18 @@ struct Inputs {
   std::function<std::vector<Case>(const Case&)> smaller = {};
 };
 
+// How far a variant is off over classes of inputs, as figures beside the bounds; printed by the bench.
+struct Figure {
+  std::string quantity;  // "texels, p99.9"
+  double value = 0;
+  double limit = 0;  // a goal that value must not exceed; 0: none
+};
+struct ErrorTable {
+  std::vector<HardCase> classes = {};  // a case each
+  std::function<std::vector<Figure>(const Variant&, const Case&, const std::map<std::string, Bytes>& written)> figures =
+      {};
+};
+
 // A one-line fault behind #ifdef MUTANT_n in `file`; run in every variant that compiles the file.
 struct Mutant {
   std::string file;
@@ -375,6 +383,7 @@ struct Kernel {
       {};                             // parameters and producerless inputs in the frame; empty: not in it
   double undecided_limit = 1e-4;      // share of elements judged by `between` in random trials that may be undecided
   std::string undecided_reason = {};  // why it is another than the rule's 1e-4
+  ErrorTable errors = {};
 };
 
 // Every kernel folder, sorted by name. Defined in the generated registry.

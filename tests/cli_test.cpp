@@ -140,6 +140,9 @@ TEST(Cli, MissingAndBrokenFilesAreOneLine) {
   for (const auto& file : {folder.file("missing.gltf"), folder.file("missing.glb"), not_json, not_glb})
     expect_one_line("frame --scene " + file, fs::path(file).filename().string());
   expect_one_line("frame --scene no_such_scene", "no_such_scene");
+  expect_one_line("frame --sidecar " + folder.file("absent.lights.json"), "absent.lights.json");
+  expect_one_line("frame --sidecar " + folder.with("bad.lights.json", R"({"lights": [{"kind": "laser"}]})"),
+                  "bad.lights.json: lights[0].kind");
 }
 
 TEST(Cli, UnwritableOutputIsOneLineBeforeAnyWork) {

@@ -32,7 +32,7 @@ Bytes bytes_of(const std::vector<T>& values) {
 }
 template <class T>
 Verdict compare(const Bound& bound, const Layout& layout, const std::vector<T>& want, const std::vector<T>& got) {
-  return judge(bound, {layout}, {.low = bytes_of(want)}, {bytes_of(got)}, kPoison);
+  return judge(bound, {layout}, {.low = bytes_of(want)}, {bytes_of(got)});
 }
 Verdict compare_floats(const Bound& bound, float want, float got) {
   return compare<float>(bound, kFloat, {want}, {got});
@@ -40,8 +40,7 @@ Verdict compare_floats(const Bound& bound, float want, float got) {
 template <class T>
 uint64_t between_violations(const Layout& layout, const std::vector<T>& low, const std::vector<T>& high,
                             std::vector<uint32_t> first, const std::vector<T>& got) {
-  return judge(between({"p"}, ""), {layout}, {bytes_of(low), bytes_of(high), std::move(first)}, {bytes_of(got)},
-               kPoison)
+  return judge(between({"p"}, ""), {layout}, {bytes_of(low), bytes_of(high), std::move(first)}, {bytes_of(got)})
       .violations;
 }
 
@@ -128,7 +127,7 @@ TEST(Comparators, SameSetKeepsRunsApart) {
   Expected expected{.low = bytes_of<uint32_t>({1, 2, 3, 4})};
   expected.live = {{0, 2}, {3, 2}};
   const auto verdict = [&](const std::vector<uint32_t>& got) {
-    return judge(same_set("p", ""), {kWord}, expected, {bytes_of(got)}, kPoison).violations;
+    return judge(same_set("p", ""), {kWord}, expected, {bytes_of(got)}).violations;
   };
   EXPECT_EQ(verdict({2, 1, kPoison, 4, 3}), 0u);
   EXPECT_EQ(verdict({1, 3, kPoison, 2, 4}), 2u);
@@ -151,7 +150,7 @@ TEST(Comparators, BetweenComparesIntegersByTheirSign) {
 TEST(Comparators, BetweenCountsUndecided) {
   const auto undecided = [](const Sample& low, const Sample& high) {
     return judge(between({"p"}, ""), {kSample}, {bytes_of<Sample>({low}), bytes_of<Sample>({high}), {0, 1}},
-                 {bytes_of<Sample>({low})}, kPoison)
+                 {bytes_of<Sample>({low})})
         .undecided;
   };
   EXPECT_EQ(undecided({1, 0.0f}, {1, 0.0f}), 0u);
@@ -159,7 +158,7 @@ TEST(Comparators, BetweenCountsUndecided) {
   EXPECT_EQ(undecided({1, 0.0f}, {2, 0.0f}), 1u);
   const Verdict two =
       judge(between({"p"}, ""), {kWord}, {bytes_of<uint32_t>({1, 2}), bytes_of<uint32_t>({1, 2}), {0, 2}},
-            {bytes_of<uint32_t>({2})}, kPoison);
+            {bytes_of<uint32_t>({2})});
   EXPECT_EQ(two.undecided, 1u);
   EXPECT_EQ(two.violations, 0u);
 }
@@ -168,8 +167,7 @@ TEST(Comparators, BetweenJoinsPortsAndJudgesSomeElements) {
   Expected expected{bytes_of<Sample>({{7, 1.0f}}), bytes_of<Sample>({{7, 2.0f}}), {0, 1}, {1}};
   const Bound bound = between({"a", "b"}, "");
   const auto verdict = [&](uint32_t key, float value) {
-    return judge(bound, {kWord, kFloat}, expected, {bytes_of<uint32_t>({99, key}), bytes_of<float>({-1, value})},
-                 kPoison);
+    return judge(bound, {kWord, kFloat}, expected, {bytes_of<uint32_t>({99, key}), bytes_of<float>({-1, value})});
   };
   EXPECT_EQ(verdict(7, 1.5f).violations, 0u);
   EXPECT_EQ(verdict(7, 1.5f).judged, 1u);
@@ -190,8 +188,7 @@ TEST(Comparators, UnpackedFieldsAreJudgedEachByItsType) {
       float low;
       uint32_t high;
     };
-    return judge(bound, {kWord}, {.low = bytes_of<Fields>({{low, high}})}, {bytes_of<uint32_t>({0})}, kPoison)
-        .violations;
+    return judge(bound, {kWord}, {.low = bytes_of<Fields>({{low, high}})}, {bytes_of<uint32_t>({0})}).violations;
   };
   EXPECT_EQ(verdict(1.5f, 0), 0u);
   EXPECT_EQ(verdict(2.5f, 0), 1u);
@@ -204,9 +201,9 @@ TEST(Comparators, AnswersThatDoNotFitAreTheOraclesFault) {
   EXPECT_THROW(compare(same_set("p", ""), kWord, std::vector<uint32_t>{1}, two), std::logic_error);
   Expected beyond{.low = bytes_of(two)};
   beyond.live = {{1, 2}};
-  EXPECT_THROW(judge(exact("p", ""), {kWord}, beyond, {bytes_of(two)}, kPoison), std::logic_error);
+  EXPECT_THROW(judge(exact("p", ""), {kWord}, beyond, {bytes_of(two)}), std::logic_error);
   const Expected none{bytes_of(two), bytes_of(two), {0, 0, 2}};
-  EXPECT_THROW(judge(between({"p"}, ""), {kWord}, none, {bytes_of(two)}, kPoison), std::logic_error);
+  EXPECT_THROW(judge(between({"p"}, ""), {kWord}, none, {bytes_of(two)}), std::logic_error);
 }
 
 TEST(Comparators, MisuseFindsUnwrittenAndTouchedElements) {

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "harness/formats/debug_view.h"
 #include "harness/formats/visibility.h"
 #include "harness/formats/workloads.h"
 #include "harness/frame/graph.h"
@@ -83,6 +84,8 @@ void expect_as_by_oracle(const frame::Graph& graph, const Result& r, const scene
       c.set_input(b.port->name, gathered.surfaces);
     else if (source == "scene.materials")
       c.set_input(b.port->name, gathered.materials);
+    else if (source == "scene.surface_slots")
+      c.set_input(b.port->name, gathered.surface_slots);
     else
       c.inputs[b.port->name] = r.downloads.at(source);
   }
@@ -115,13 +118,19 @@ TEST(Frame, EveryKernelAgreesWithItsOracleOverWhatTheOthersWrote) {
                                           "tile_classification.workload_args",
                                           "tile_classification.statistics",
                                           "visibility.visibility"};
-  for (uint32_t view = 0; view < frame::view_names().size(); ++view) {
-    SCOPED_TRACE(frame::view_names()[view]);
-    const Result r = draw(s, {.size = size, .view = frame::view_names()[view], .goals = goals, .warm_up = false});
-    const auto graph = frame::build_graph({.kernels = all_kernels(),
-                                           .view = {.extent = size, .scene = gathered.counts, .view = view},
-                                           .scene = frame::scene_bytes(gathered),
-                                           .goals = goals});
+  const std::pair<const char*, uint32_t> views[] = {{"material", kViewMaterial},
+                                                    {"triangle", kViewTriangle},
+                                                    {"tile", kViewTile},
+                                                    {"workload", kViewWorkload},
+                                                    {"shader", kViewShader}};
+  for (const auto& [name, view] : views) {
+    SCOPED_TRACE(name);
+    const Result r = draw(s, {.size = size, .view = name, .goals = goals, .warm_up = false});
+    const auto graph = frame::build_graph(
+        {.kernels = all_kernels(),
+         .view = {.extent = size, .scene = gathered.counts, .shaders = gathered.shaders, .view = view},
+         .scene = frame::scene_bytes(gathered),
+         .goals = goals});
     for (const char* kernel : {"material_features", "tile_classification", "debug_view"})
       expect_as_by_oracle(graph, r, gathered, kernel);
   }
@@ -211,6 +220,16 @@ TEST(Frame, WorkloadPassesRunOnlyForTheirView) {
   const scene::Scene s = scene::small();
   EXPECT_FALSE(mentions(running(draw_at(s, {64, 64}, "material").explanation), "workload.comp"));
   EXPECT_TRUE(mentions(running(draw_at(s, {64, 64}, "workload").explanation), "workload.comp"));
+}
+
+TEST(Frame, OnlyViewsOfTilesNeedTheirClassification) {
+  const scene::Scene s = scene::small();
+  const auto info = device::info(*device());
+  for (const std::string view : {"material", "triangle", "tile"}) {
+    const auto e = frame::explain(info, s, scene::default_camera(s),
+                                  {.size = {64, 64}, .view = view, .goals = {"debug_view.image"}});
+    EXPECT_EQ(mentions(running(e), "tile_classification"), view == "tile") << view;
+  }
 }
 
 TEST(Frame, GoalsPruneTheChain) {

@@ -171,6 +171,23 @@ TEST(Graph, AnUnknownVariantIsRefused) {
   EXPECT_THROW(build({{"b", "plain"}}), std::invalid_argument);
 }
 
+// A pass without groups asks for nothing: what only it reads is not made.
+TEST(Graph, WhatOnlyAPassThatDoesNotRunReadsIsNotMade) {
+  for (const bool shown : {false, true}) {
+    std::vector<Kernel> k = {kernel("maker", {out("x")}), kernel("viewer", {in("x", {"maker.x"}), out("y")})};
+    const auto groups = [](uint32_t n) { return [n](const Case&) { return Groups{n}; }; };
+    k[1].variants[0].passes = {Dispatch{"plain.comp", groups(1)}, Dispatch{"of_x.comp", groups(shown ? 1 : 0)}};
+    const Graph g =
+        build_graph({.kernels = k, .goals = {"viewer.y"}, .shader_ports = [](const Kernel&, const std::string& shader) {
+                       return shader == "of_x.comp"    ? std::vector<std::string>{"x", "y"}
+                              : shader == "plain.comp" ? std::vector<std::string>{"y"}
+                                                       : std::vector<std::string>{"x"};
+                     }});
+    EXPECT_EQ(names(g), shown ? (std::vector<std::string>{"maker", "viewer"}) : std::vector<std::string>{"viewer"});
+    EXPECT_EQ(reason(g, "maker"), shown ? "not left out" : "nothing that is asked for needs it");
+  }
+}
+
 TEST(Graph, APortThatNoLivePassBindsIsNotAllocated) {
   std::vector<Kernel> k = {kernel("a", {out("x"), out("spare")})};
   const Graph g = build_graph({.kernels = k, .goals = {"a.x"}, .shader_ports = [](const Kernel&, const std::string&) {

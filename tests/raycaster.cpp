@@ -12,6 +12,13 @@ using glm::dvec2;
 using glm::dvec3;
 using scene::Scene;
 
+// Half a step of the rasteriser's 1/256 px grid moves an edge by 0.0028 px at most, and a float clip position of 1280
+// pixels is good to 640 * 2^-24 * 8 roundings = 0.0003 px; where a triangle's w spans much more, a little of that is
+// magnified. 1/128 px is twice the sum.
+constexpr double kEdgePx = 1.0 / 128;
+// Depths are floats, near / w of three vertices blended: surfaces that close are a tie.
+constexpr double kTie = 1e-5;
+
 struct Ray {  // direction with its change a pixel to the right and down
   dvec3 origin, direction, right, down;
 };
@@ -139,6 +146,14 @@ std::optional<Hit> cast(const Scene& s, const scene::Camera& camera, Extent exte
     }
   }
   return resolve(std::move(candidates));
+}
+
+Doubt doubt_of(const std::optional<Hit>& hit) {
+  if (!hit) return Doubt::none;
+  if (hit->edge_px < kEdgePx) return Doubt::edge;
+  if (hit->alpha_close) return Doubt::alpha;
+  if (hit->instance != scene::kNone && hit->second - hit->distance < kTie * hit->distance) return Doubt::tie;
+  return Doubt::none;
 }
 
 }  // namespace assay::tests

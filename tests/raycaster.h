@@ -22,4 +22,8 @@ struct Hit {
 // single-sided materials and blended materials are passed, as in the visibility buffer.
 std::optional<Hit> cast(const scene::Scene&, const scene::Camera&, Extent, double x, double y);
 
+// Why a pixel cannot be judged by its ray: the rasteriser may see another surface, and be right.
+enum class Doubt { none, edge, alpha, tie };
+Doubt doubt_of(const std::optional<Hit>&);
+
 }  // namespace assay::tests

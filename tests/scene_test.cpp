@@ -63,8 +63,7 @@ TEST(Scene, SmallIsTheSameEveryTime) {
 }
 
 // Indices in range, parts that tile them, unit normals and tangents at right angles, normals on the front's side.
-TEST(Scene, BuiltInMeshesAreSound) {
-  const Scene s = scene::small();
+void expect_sound_meshes(const Scene& s) {
   for (const scene::Mesh& m : s.meshes) {
     SCOPED_TRACE(m.name);
     ASSERT_EQ(m.positions.size(), m.attributes.size());
@@ -88,6 +87,11 @@ TEST(Scene, BuiltInMeshesAreSound) {
       EXPECT_GE(dot(cross(b - a, c - a), m.attributes[m.indices[i]].normal), 0);
     }
   }
+}
+
+TEST(Scene, BuiltInMeshesAreSound) {
+  expect_sound_meshes(scene::small());
+  expect_sound_meshes(scene::default_scene());
 }
 
 TEST(Scene, LookAtPutsItsTargetInTheMiddleAndUpUp) {
@@ -191,7 +195,7 @@ TEST(Scene, ShaderClassesFollowTheFeatures) {
   const std::pair<scene::Material, uint32_t> expected[] = {
       {{.name = "stone"}, kShaderOpaque},
       {{.name = "chain", .alpha = AlphaMode::masked}, kShaderMasked},
-      {{.name = "sheet", .double_sided = true}, kShaderMasked},
+      {{.name = "sheet", .double_sided = true}, kShaderOpaque},
       {{.name = "leaf", .alpha = AlphaMode::masked}, kShaderFoliage},
       {{.name = "leaf"}, kShaderOpaque},  // not masked: a carved one
       {{.name = "curtain", .alpha = AlphaMode::masked}, kShaderCloth},

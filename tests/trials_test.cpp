@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "harness/check/cases.h"
+#include "harness/check/kernel_run.h"
 #include "harness/check/run_case.h"
 #include "harness/check/shrink.h"
 
@@ -124,6 +125,17 @@ TEST(Trials, ShrinkingEndsAndOutlivesExceptions) {
   EXPECT_EQ(shrunk.input.inputs, list_case().inputs);
 }
 
+TEST(Trials, ProgressOfSeveralKernelsIsOneBar) {
+  std::vector<std::string> told;
+  const check::Tell tell = [&](const std::string& what, uint64_t done, uint64_t of) {
+    told.push_back(what + " " + std::to_string(done) + "/" + std::to_string(of));
+  };
+  check::part_of(tell, 1, 3)("visibility", 50, 100);
+  check::part_of(tell, 0, 1)("visibility", 50, 100);
+  EXPECT_EQ(told, (std::vector<std::string>{"visibility (2 of 3) 150/300", "visibility 50/100"}));
+  EXPECT_FALSE(check::part_of({}, 1, 3)) << "nobody is told";
+}
+
 TEST(Trials, PoisonIsNoPlausibleValue) {
   for (uint64_t seed = 0; seed < 1000; ++seed) {
     const uint32_t a = check::poison_word(seed, 0), b = check::poison_word(seed, 1);
@@ -132,6 +144,14 @@ TEST(Trials, PoisonIsNoPlausibleValue) {
       EXPECT_NE(word, 0xffffffffu);
     }
     for (uint32_t byte = 0; byte < 4; ++byte) EXPECT_NE(a >> (8 * byte) & 0xff, b >> (8 * byte) & 0xff);
+    const Port depth = writes_image("depth", Format::d32_float), colour = writes_image("colour", Format::r32_uint);
+    const uint32_t near = check::poison_of(depth, seed, 0), other = check::poison_of(depth, seed, 1);
+    EXPECT_NE(near, other);
+    for (const uint32_t word : {near, other}) {
+      EXPECT_GE(std::bit_cast<float>(word), 0.75f);
+      EXPECT_LT(std::bit_cast<float>(word), 1.0f);
+    }
+    EXPECT_EQ(check::poison_of(colour, seed, 1), b);
   }
 }
 

@@ -37,6 +37,16 @@ std::vector<NamedCase> hard_cases(const Kernel& kernel, const fs::path& fixtures
   return cases;
 }
 
+std::vector<NamedCase> typical_case(const Kernel& kernel) {
+  if (!kernel.typical || kernel.extents.empty()) return {};
+  const auto make = [&kernel] {
+    Case c = kernel.typical(kernel.extents.front());
+    c.name = kTypical;
+    return c;
+  };
+  return {{kTypical, make, std::string("--case ") + kTypical}};
+}
+
 bool is_case_path(const std::string& name) {
   return name.find('/') != std::string::npos || fs::path(name).extension() == ".case";
 }
@@ -46,6 +56,7 @@ std::vector<NamedCase> cases_named(const Kernel& kernel, const fs::path& fixture
     if (kernel_of_case(name) != kernel.name) return {};
     return {{fs::path(name).stem().string(), [name, &kernel] { return load_case(name, kernel); }, "--case " + name}};
   }
+  if (name == kTypical) return typical_case(kernel);
   auto cases = hard_cases(kernel, fixtures, true);
   std::erase_if(cases, [&](const NamedCase& c) { return c.name != name; });
   return cases;

@@ -19,7 +19,10 @@ struct NamedCase {
 };
 // The kernel's hard cases, the nightly ones where asked for, then fixtures/<kernel>/*.case by name.
 std::vector<NamedCase> hard_cases(const Kernel&, const std::filesystem::path& fixtures, bool nightly);
-// One of them, nightly or not, or a case file; none where the kernel has no such case.
+constexpr const char* kTypical = "typical";
+// The case of that name: the benchmark's input at the kernel's first extent. None where the kernel has no benchmark.
+std::vector<NamedCase> typical_case(const Kernel&);
+// One of them all, nightly or not, or a case file; none where the kernel has no such case.
 std::vector<NamedCase> cases_named(const Kernel&, const std::filesystem::path& fixtures, const std::string& name);
 bool is_case_path(const std::string& name);
 // The kernel that a case file is for. Throws std::runtime_error.

@@ -18,16 +18,16 @@ void step(const KernelRun& run, uint64_t done, uint64_t of) {
 
 bool any_live(const KernelRun& run) { return std::ranges::any_of(run.variants, &VariantState::is_live); }
 
-void run_hard(KernelRun& run, const std::vector<NamedCase>& cases, uint64_t of) {
+void run_named(KernelRun& run, const std::vector<NamedCase>& cases, Kind kind, uint64_t done, uint64_t of) {
   for (size_t i = 0; i < cases.size() && any_live(run); ++i) {
-    step(run, i, of);
+    step(run, done + i, of);
     Case c = cases[i].make();
     if (c.name.empty()) c.name = cases[i].name;
     const uint32_t limit = run.options.extent_limit;
     if (limit != 0 && std::max(c.extent.width, c.extent.height) > limit) continue;
     c.judge_all = run.options.nightly;
     const Prepared prepared = prepare(run.kernel, std::move(c), device::info(*run.session.device).traits);
-    run_everywhere(run, prepared, cases[i].replay, Kind::hard);
+    run_everywhere(run, prepared, cases[i].replay, kind);
   }
 }
 
@@ -67,16 +67,16 @@ void run_trials(KernelRun& run, uint64_t first_seed, uint64_t trials, uint64_t d
   run.result.branches = std::move(coverage.branches);
 }
 
-// A share of typical input: of few trials, one hard case more or less would decide.
-constexpr uint64_t kTypicalTrials = 200;
+// Of few trials, one hard case more or less would decide; the typical input is judged always.
+constexpr uint64_t kTellingTrials = 200;
 
-void judge_undecided(KernelRun& run) {
-  if (run.decidable == 0 || run.options.seed || run.options.trials < kTypicalTrials) return;
-  const double share = static_cast<double>(run.undecided) / static_cast<double>(run.decidable);
-  if (share <= run.kernel.undecided_limit) return;
+void judge_undecided(KernelRun& run, const Share& share, const char* of) {
+  if (share.judged == 0) return;
+  const double part = static_cast<double>(share.undecided) / static_cast<double>(share.judged);
+  if (part <= run.kernel.undecided_limit) return;
   run.result.complaints.push_back(fmt::format(
-      "{} of {} elements of random trials are undecided, {:.3g}; the limit is {:g}{}{}", run.undecided, run.decidable,
-      share, run.kernel.undecided_limit, run.kernel.undecided_reason.empty() ? "" : ": ", run.kernel.undecided_reason));
+      "{} of {} elements of {} are undecided, {:.3g}; the limit is {:g}{}{}", share.undecided, share.judged, of, part,
+      run.kernel.undecided_limit, run.kernel.undecided_reason.empty() ? "" : ": ", run.kernel.undecided_reason));
 }
 
 constexpr uint64_t kFirstSeed = 1;
@@ -84,21 +84,34 @@ constexpr uint64_t kFirstSeed = 1;
 // A fault of the kernel's own code (generator, oracle, description) ends its check, not the whole one.
 void run_cases(KernelRun& run) {
   const Options& o = run.options;
-  std::vector<NamedCase> hard;
-  if (!o.case_name.empty()) {
+  std::vector<NamedCase> hard, typical;
+  if (o.case_name == kTypical) {
+    typical = typical_case(run.kernel);
+  } else if (!o.case_name.empty()) {
     hard = cases_named(run.kernel, o.fixtures, o.case_name);
   } else if (o.hard && !o.seed) {
     hard = hard_cases(run.kernel, o.fixtures, o.nightly);
+    typical = typical_case(run.kernel);
   }
   const uint64_t trials = !o.case_name.empty() ? 0 : o.seed ? 1 : o.trials;
-  const uint64_t of = hard.size() + trials;
-  run_hard(run, hard, of);
-  run_trials(run, o.seed.value_or(kFirstSeed), trials, hard.size(), of);
+  const uint64_t named = hard.size() + typical.size(), of = named + trials;
+  run_named(run, hard, Kind::hard, 0, of);
+  run_named(run, typical, Kind::typical, hard.size(), of);
+  run_trials(run, o.seed.value_or(kFirstSeed), trials, named, of);
   step(run, of, of);
 }
 
+// What users get unasked, the frame among them, must be held to its bounds.
+void judge_default(KernelRun& run) {
+  for (const Variant& v : run.kernel.variants)
+    if (v.baseline && v.name == run.kernel.default_variant)
+      run.result.complaints.push_back(fmt::format("the default variant, {}, is a baseline", v.name));
+}
+
 void finish(KernelRun& run) {
-  judge_undecided(run);
+  judge_undecided(run, run.of_typical, "the typical input");
+  if (!run.options.seed && run.options.trials >= kTellingTrials) judge_undecided(run, run.of_trials, "random trials");
+  judge_default(run);
   const auto ran = [](const VariantState& s) { return s.result.skipped.empty(); };
   if (!std::ranges::any_of(run.variants, ran)) run.result.complaints.push_back("no variant can run on this device");
   for (VariantState& state : run.variants) run.result.variants.push_back(std::move(state.result));
@@ -159,8 +172,12 @@ KernelResult check_kernel(device::Handle& handle, const device::Options& device_
 
 std::vector<KernelResult> check(device::Handle& handle, const device::Options& device_options, const Options& options) {
   std::vector<KernelResult> results;
-  for (const Kernel* kernel : selected(options))
-    results.push_back(check_kernel(handle, device_options, options, *kernel));
+  const auto kernels = selected(options);
+  for (const Kernel* kernel : kernels) {
+    Options mine = options;
+    mine.progress = part_of(options.progress, results.size(), kernels.size());
+    results.push_back(check_kernel(handle, device_options, mine, *kernel));
+  }
   return results;
 }
 

@@ -11,17 +11,20 @@
 
 namespace assay::check {
 
+// Told of what is worked on and how much of it is done, for whoever waits.
+using Tell = std::function<void(const std::string& what, uint64_t done, uint64_t of)>;
+
 struct Options {
   std::vector<std::string> kernels = {};  // empty: all
   std::string variant = {};               // name or label; empty: all
-  std::string case_name = {};             // a hard case, a fixture of the kernel, or a path to a case file; empty: all
-  std::optional<uint64_t> seed = {};      // one random trial
+  std::string case_name = {};  // a hard case, `typical`, a fixture of the kernel, or a path to a case file; empty: all
+  std::optional<uint64_t> seed = {};  // one random trial
   uint32_t trials = 50;
-  bool hard = true;           // run the hard cases
+  bool hard = true;           // run the hard cases and the typical input
   bool nightly = false;       // the large ones too, and oracles unsampled
   uint32_t extent_limit = 0;  // leaves out hard cases with more pixels a side; 0: none
   std::filesystem::path fixtures = "fixtures", failures = "out/failures";
-  std::function<void(const std::string& what, uint64_t done, uint64_t of)> progress = {};
+  Tell progress = {};
 };
 
 struct BoundResult {
@@ -39,8 +42,9 @@ struct VariantResult {
   bool baseline = false;
   std::string skipped;  // the reason; empty: it ran
   uint64_t trials = 0, cases = 0, violations = 0, judged = 0, undecided = 0;
-  uint64_t hard_undecided = 0;  // of the undecided, those in hard cases
-  uint64_t flaky = 0;           // device lost and repeated with success
+  uint64_t hard_undecided = 0;   // of the undecided, those in hard cases
+  uint64_t wrong = 0, nans = 0;  // elements outside their bound, and those of them that are NaN: a baseline's figures
+  uint64_t flaky = 0;            // device lost and repeated with success
   std::vector<BoundResult> bounds;
   std::vector<Failure> failures;  // the first ten, after which the variant is not run again
 };
@@ -63,9 +67,12 @@ struct MutantResult {
   std::string named;  // the case that the description says kills it: one killed by another is a complaint too
 };
 // Each mutant in every variant that uses its file, against its named case first, then every hard case, then trials.
+// Nothing notices a baseline's values, so a mutant is not run in one if another variant compiles its file too; a mutant
+// of a file that only baselines compile must break memory safety to count as killed.
 std::vector<MutantResult> mutate(device::Handle&, const device::Options&, const std::vector<std::string>& kernels,
-                                 uint32_t trials);
-std::vector<MutantResult> mutate_kernel(device::Handle&, const device::Options&, const Kernel&, uint32_t trials);
+                                 uint32_t trials, const Tell& = {});
+std::vector<MutantResult> mutate_kernel(device::Handle&, const device::Options&, const Kernel&, uint32_t trials,
+                                        const Tell& = {});
 
 // Case files: JSON, words in hexadecimal. Broken ones throw std::runtime_error with one line.
 void save_case(const std::filesystem::path&, const Kernel&, const Case&);

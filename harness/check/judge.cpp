@@ -40,7 +40,15 @@ Elements elements_of(const std::vector<Layout>& layouts, const Expected& expecte
   return e;
 }
 
+bool is_nan_for_a_number(const Elements& e, uint64_t element, const std::byte* expected) {
+  return std::ranges::any_of(e.components, [&](const Component& c) {
+    return c.scalar == Scalar::f32 && std::isnan(float_at(got_at(e, element, c))) &&
+           !std::isnan(float_at(expected + c.joined));
+  });
+}
+
 void record(Verdict& v, const Elements& e, uint64_t element, const std::byte* expected, const std::string& note = {}) {
+  v.nans += is_nan_for_a_number(e, element, expected);
   if (v.violations++ != 0) return;
   std::vector<std::byte> joined(e.stride);
   join(e, element, joined.data());
@@ -226,8 +234,7 @@ Verdict judge_elements(const Bound& bound, const std::vector<Layout>& layouts, c
 }  // namespace
 
 Verdict judge(const Bound& bound, const std::vector<Layout>& layouts, const Expected& expected,
-              const std::vector<Bytes>& got, uint32_t poison) {
-  (void)poison;  // elements outside the live runs are misuse()'s affair
+              const std::vector<Bytes>& got) {
   if (!bound.unpack) return judge_elements(bound, layouts, expected, got);
   if (got.size() != 1) throw std::logic_error(name_of(bound) + ": only a single port is unpacked");
   return judge_elements(bound, {bound.unpack->layout}, expected, {bound.unpack->apply(got[0])});

@@ -9,6 +9,7 @@ namespace assay::check {
 
 struct Verdict {
   uint64_t judged = 0, undecided = 0, violations = 0;
+  uint64_t nans = 0;  // of the violations, elements with a NaN where a number was expected
   // exact, same_set: wrong elements. ulps, within: largest error of a float, infinite for NaN or a wrong integer.
   // between: largest distance of a component outside the nearest alternative, infinite for NaN.
   double worst = 0;
@@ -16,10 +17,9 @@ struct Verdict {
   uint64_t element = 0;  // the first violation's
 };
 
-// `got`: each of the bound's ports' payload. `poison`: the word that untouched elements hold.
-// An answer that does not fit the ports (sizes, runs past the end) throws std::logic_error: the oracle is at fault.
-Verdict judge(const Bound&, const std::vector<Layout>& layouts, const Expected&, const std::vector<Bytes>& got,
-              uint32_t poison);
+// `got`: each of the bound's ports' payload. Elements outside the live runs are the affair of misuse(). An answer that
+// does not fit the ports (sizes, runs past the end) throws std::logic_error: the oracle is at fault.
+Verdict judge(const Bound&, const std::vector<Layout>& layouts, const Expected&, const std::vector<Bytes>& got);
 
 // Live elements left as poison, and others touched: "element 12 was not written", "element 40 was written". Empty:
 // fine.

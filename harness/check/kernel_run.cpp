@@ -15,6 +15,13 @@ bool is_selected(const Variant& variant, const std::string& wanted) {
   return false;
 }
 
+Tell part_of(const Tell& tell, size_t part, size_t of) {
+  if (!tell || of < 2) return tell;
+  return [&tell, part, of](const std::string& what, uint64_t done, uint64_t whole) {
+    tell(fmt::format("{} ({} of {})", what, part + 1, of), part * whole + done, of * whole);
+  };
+}
+
 KernelRun start(Session session, const Options& options, const Kernel& kernel) {
   KernelRun run{session, options, kernel, {.name = kernel.name}, {}};
   for (const Variant& variant : kernel.variants) {
@@ -42,10 +49,13 @@ void tally(KernelRun& run, VariantState& state, const Outcome& outcome, Kind kin
     bound.worst = std::max(bound.worst, v.worst);
     state.result.judged += v.judged;
     state.result.undecided += v.undecided;
+    state.result.wrong += v.violations;
+    state.result.nans += v.nans;
     if (kind == Kind::hard) state.result.hard_undecided += v.undecided;
     if (kind == Kind::hard || bounds[i].judge != Judge::between) continue;
-    run.decidable += v.judged;
-    run.undecided += v.undecided;
+    Share& share = kind == Kind::typical ? run.of_typical : run.of_trials;
+    share.judged += v.judged;
+    share.undecided += v.undecided;
   }
   state.result.flaky += outcome.flaky;
 }
@@ -103,10 +113,11 @@ void collect_messages(KernelRun& run, VariantState& state, const device::Plan& p
 void run_variant(KernelRun& run, VariantState& state, const Prepared& prepared, device::Ports& ports,
                  const std::string& replay, Kind kind) {
   std::vector<std::map<std::string, uint32_t>> combinations = state.combinations;
+  if (kind == Kind::typical) combinations.resize(1);
   if (kind == Kind::trial) combinations = {combinations[prepared.input.seed % combinations.size()]};
   for (const auto& constants : combinations) {
     const device::Plan plan{.kernel = &run.kernel, .variant = state.variant, .constants = constants};
-    const Outcome outcome = attempt(run.session, plan, prepared, ports, kind == Kind::hard);
+    const Outcome outcome = attempt(run.session, plan, prepared, ports, kind != Kind::trial);
     tally(run, state, outcome, kind);
     const Fault& fault = fault_of(outcome, *state.variant);
     if (!fault.text.empty()) report(run, state, plan, prepared.input, fault, replay);

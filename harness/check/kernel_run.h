@@ -19,21 +19,29 @@ struct VariantState {
   bool is_live() const { return result.skipped.empty() && !is_broken && result.violations < kFailuresStop; }
 };
 
+struct Share {  // of elements judged by `between`, those whose answer rounding can tip
+  uint64_t judged = 0, undecided = 0;
+};
+
 struct KernelRun {
   Session session;
   const Options& options;
   const Kernel& kernel;
   KernelResult result;
   std::vector<VariantState> variants;
-  uint64_t decidable = 0, undecided = 0;  // elements judged by `between` in random trials, over the variants
+  Share of_typical, of_trials;  // over the variants
 };
+
+// Of `of` equal parts of the work, the progress of part `part`, from 0.
+Tell part_of(const Tell&, size_t part, size_t of);
 
 // The kernel's selected variants, those that cannot run here marked with the reason.
 KernelRun start(Session, const Options&, const Kernel&);
 bool is_selected(const Variant&, const std::string& name_or_label);
 
-enum class Kind { hard, trial };
-// The case in every live variant: all combinations of its constants for a hard one, one by the seed for a trial.
+enum class Kind { hard, typical, trial };
+// The case in every live variant: all combinations of its constants for a hard one, the first for the typical one, one
+// by the seed for a trial.
 void run_everywhere(KernelRun&, const Prepared&, const std::string& replay, Kind);
 
 }  // namespace assay::check

@@ -28,6 +28,17 @@ bool uses(const Kernel& kernel, const Variant& variant, const Mutant& mutant) {
   });
 }
 
+// Variants in which the fault must be found.
+std::vector<const Variant*> carriers(const Kernel& kernel, const Mutant& mutant) {
+  std::vector<const Variant*> found;
+  for (const Variant& variant : kernel.variants)
+    if (uses(kernel, variant, mutant)) found.push_back(&variant);
+  if (found.empty())
+    throw std::logic_error(fmt::format("{}: no variant compiles MUTANT_{} of {}", kernel.name, mutant.n, mutant.file));
+  if (!std::ranges::all_of(found, &Variant::baseline)) std::erase_if(found, &Variant::baseline);
+  return found;
+}
+
 // Cases with their oracle's answers, the last few kept: the mutants of a kernel share their cases.
 class PreparedCases {
  public:
@@ -54,12 +65,6 @@ class PreparedCases {
   std::list<Kept> kept_;
 };
 
-uint64_t wrong_elements(const Outcome& outcome) {
-  uint64_t wrong = 0;
-  for (const Verdict& v : outcome.verdicts) wrong += v.violations;
-  return wrong;
-}
-
 struct Hunt {
   Session session;
   const Kernel& kernel;
@@ -67,20 +72,13 @@ struct Hunt {
   const Mutant& mutant;
   PreparedCases& prepared;
 
-  Outcome run(const std::map<std::string, uint32_t>& constants, const Prepared& c, const Mutant* faulty) {
-    const device::Plan plan{.kernel = &kernel, .variant = &variant, .constants = constants, .mutant = faulty};
-    device::Ports ports;
-    return attempt(session, plan, c, ports, true);
-  }
-  // A baseline may break its bounds unmutated; there the fault has to make more elements wrong.
   bool kills(const NamedCase& named) {
     const Prepared& c = prepared.get(named);
-    for (const auto& constants : device::combinations(variant)) {
-      const Outcome faulty = run(constants, c, &mutant);
-      if (!fault_of(faulty, variant).text.empty()) return true;
-      if (variant.baseline && wrong_elements(faulty) > wrong_elements(run(constants, c, nullptr))) return true;
-    }
-    return false;
+    return std::ranges::any_of(device::combinations(variant), [&](const auto& constants) {
+      const device::Plan plan{.kernel = &kernel, .variant = &variant, .constants = constants, .mutant = &mutant};
+      device::Ports ports;
+      return !fault_of(attempt(session, plan, c, ports, true), variant).text.empty();
+    });
   }
 };
 
@@ -109,37 +107,34 @@ std::vector<NamedCase> hunting_cases(const Kernel& kernel) {
 }  // namespace
 
 std::vector<MutantResult> mutate_kernel(device::Handle& handle, const device::Options& device_options,
-                                        const Kernel& kernel, uint32_t trials) {
+                                        const Kernel& kernel, uint32_t trials, const Tell& tell) {
+  std::vector<std::pair<const Mutant*, const Variant*>> hunts;
+  for (const Mutant& mutant : kernel.mutants)
+    for (const Variant* variant : carriers(kernel, mutant))
+      if (device::missing(device::info(*handle), *variant).empty()) hunts.emplace_back(&mutant, variant);
   std::vector<MutantResult> results;
   const auto hard = hunting_cases(kernel);
   PreparedCases prepared(kernel, device::info(*handle).traits);
-  for (const Mutant& mutant : kernel.mutants) {
-    bool used = false;
-    for (const Variant& variant : kernel.variants) {
-      if (!uses(kernel, variant, mutant)) continue;
-      used = true;
-      if (!device::missing(device::info(*handle), variant).empty()) continue;
-      Hunt hunt{{handle, device_options}, kernel, variant, mutant, prepared};
-      results.push_back({kernel.name, variant.name, mutant.file, mutant.fault, killer(hunt, hard, trials), mutant.n,
-                         mutant.killed_by});
-    }
-    if (!used)
-      throw std::logic_error(
-          fmt::format("{}: no variant compiles MUTANT_{} of {}", kernel.name, mutant.n, mutant.file));
+  for (const auto& [mutant, variant] : hunts) {
+    if (tell) tell(fmt::format("{} {} MUTANT_{}", kernel.name, variant->name, mutant->n), results.size(), hunts.size());
+    Hunt hunt{{handle, device_options}, kernel, *variant, *mutant, prepared};
+    results.push_back({kernel.name, variant->name, mutant->file, mutant->fault, killer(hunt, hard, trials), mutant->n,
+                       mutant->killed_by});
   }
   return results;
 }
 
 std::vector<MutantResult> mutate(device::Handle& handle, const device::Options& device_options,
-                                 const std::vector<std::string>& kernels, uint32_t trials) {
+                                 const std::vector<std::string>& kernels, uint32_t trials, const Tell& tell) {
   std::vector<const Kernel*> chosen;
   chosen.reserve(all_kernels().size());
   for (const std::string& name : kernels) chosen.push_back(&kernel_named(name));
   if (kernels.empty())
     for (const Kernel& kernel : all_kernels()) chosen.push_back(&kernel);
   std::vector<MutantResult> results;
-  for (const Kernel* kernel : chosen)
-    std::ranges::move(mutate_kernel(handle, device_options, *kernel, trials), std::back_inserter(results));
+  for (size_t i = 0; i < chosen.size(); ++i)
+    std::ranges::move(mutate_kernel(handle, device_options, *chosen[i], trials, part_of(tell, i, chosen.size())),
+                      std::back_inserter(results));
   return results;
 }
 

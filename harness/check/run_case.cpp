@@ -34,27 +34,18 @@ uint32_t poison_word(uint64_t seed, uint32_t choice) {
   return usable(choice == 0 ? word : other);
 }
 
+uint32_t poison_of(const Port& port, uint64_t seed, uint32_t choice) {
+  const uint32_t word = poison_word(seed, choice);
+  return port.kind == PortKind::image && port.format == Format::d32_float ? 0x3f000000u | (word & 0x007fffffu) : word;
+}
+
 const Fault& fault_of(const Outcome& o, const Variant& v) {
   return !o.memory.text.empty() || v.baseline ? o.memory : o.wrong;
 }
 
 namespace {
 
-bool is_cleared_target(const Variant& variant, const std::string& port) {
-  for (const Pass& pass : variant.passes) {
-    const auto* draw = std::get_if<Draw>(&pass);
-    if (!draw) continue;
-    for (const ColourTarget& target : draw->colours)
-      if (target.port == port) return target.clear.has_value();
-  }
-  return false;
-}
-
-// Depth images hold only 0 to 1 and targets that start with a clear keep nothing of what was there.
-bool is_poisoned(const Port& port, const Variant& variant) {
-  if (port.use != Use::writes || port.kind == PortKind::textures) return false;
-  return port.kind == PortKind::buffer || (port.format != Format::d32_float && !is_cleared_target(variant, port.name));
-}
+bool is_poisoned(const Port& port) { return port.use == Use::writes && port.kind != PortKind::textures; }
 
 // One run's surroundings, so that it can be repeated with another poison.
 struct Run {
@@ -68,18 +59,20 @@ struct Run {
 
 device::Resource& resource_of(const Run& run, const std::string& port) { return *run.ports.at(port); }
 
-void poison_and_run(const Run& run, uint32_t poison) {
+// What is not written shows, targets that a draw should have cleared as well as buffers. Of updated ports the guard.
+void poison_and_run(const Run& run, uint32_t choice) {
   for (const Port& port : run.plan.kernel->ports) {
     if (!has_port(*run.plan.variant, port)) continue;
     const bool updated = port.use == Use::updates && port.kind != PortKind::textures;
-    if (updated || is_poisoned(port, *run.plan.variant)) device::fill(run.device, resource_of(run, port.name), poison);
+    if (updated || is_poisoned(port))
+      device::fill(run.device, resource_of(run, port.name), poison_of(port, run.prepared.input.seed, choice));
     if (updated) device::write(run.device, resource_of(run, port.name), run.prepared.input.inputs.at(port.name));
   }
   device::run(run.device, run.commands);
 }
 
 // Behind every port that was filled, and in every input.
-Fault memory_fault(const Run& run, uint32_t poison, bool inputs) {
+Fault memory_fault(const Run& run, bool inputs) {
   for (const Port& port : run.plan.kernel->ports) {
     if (port.kind == PortKind::textures || !has_port(*run.plan.variant, port)) continue;
     const device::Resource& resource = resource_of(run, port.name);
@@ -90,6 +83,7 @@ Fault memory_fault(const Run& run, uint32_t poison, bool inputs) {
         return {"input written", fmt::format("input {} was written", port.name)};
       continue;
     }
+    const uint32_t poison = poison_of(port, run.prepared.input.seed, 0);
     const Bytes guard = device::read_guard(run.device, resource);
     for (size_t i = 0; i + 4 <= guard.size(); i += 4) {
       uint32_t word;
@@ -113,7 +107,7 @@ ReadBack read_judged(const Run& run) {
 }
 
 const Expected& expected_of(const Run& run, const Bound& bound) {
-  const auto it = run.prepared.answer.find(bound.ports.at(0));
+  const auto it = run.prepared.answer.find(bound.answer.empty() ? bound.ports.at(0) : bound.answer);
   if (it == run.prepared.answer.end())
     throw std::logic_error(fmt::format("{}: the oracle says nothing of {}", run.plan.kernel->name, name_of(bound)));
   return it->second;
@@ -135,16 +129,17 @@ Fault update_fault(const Port& port, const Expected& expected, const Bytes& befo
 }
 
 // Suspects still hold poison; only a second run under another poison convicts them.
-Fault misuse_fault(const Run& run, const Port& port, const Expected& expected, const Bytes& got, uint32_t poison) {
+Fault misuse_fault(const Run& run, const Port& port, const Expected& expected, const Bytes& got) {
   if (port.use == Use::updates) return update_fault(port, expected, run.prepared.input.inputs.at(port.name), got);
-  if (!is_poisoned(port, *run.plan.variant)) return {};
+  if (!is_poisoned(port)) return {};
   const Layout layout = layout_of_port(port);
+  const uint32_t poison = poison_of(port, run.prepared.input.seed, 0);
   if (const auto i = strayed(layout, expected, got, poison))
     return {"touched " + port.name, fmt::format("{}: element {} was written", port.name, *i)};
   const auto suspects = untouched(layout, expected, got, poison);
   if (suspects.empty()) return {};
-  const uint32_t second = poison_word(run.prepared.input.seed, 1);
-  poison_and_run(run, second);
+  const uint32_t second = poison_of(port, run.prepared.input.seed, 1);
+  poison_and_run(run, 1);
   const auto again = untouched(layout, expected, device::read(run.device, resource_of(run, port.name)), second);
   for (const uint64_t i : suspects)
     if (std::ranges::binary_search(again, i))
@@ -157,7 +152,7 @@ std::string place_in_image(const Case& c, const Layout& layout, const Bytes& got
   return fmt::format(" at pixel ({}, {})", element % c.extent.width, element / c.extent.width);
 }
 
-void judge_bound(const Run& run, const Bound& bound, ReadBack& got, uint32_t poison, Outcome& outcome) {
+void judge_bound(const Run& run, const Bound& bound, ReadBack& got, Outcome& outcome) {
   const Expected& expected = expected_of(run, bound);
   std::vector<Layout> layouts;
   std::vector<Bytes> bytes;  // lent by `got`, which may be megabytes
@@ -165,9 +160,11 @@ void judge_bound(const Run& run, const Bound& bound, ReadBack& got, uint32_t poi
     const Port& port = port_of(*run.plan.kernel, name);
     layouts.push_back(layout_of_port(port));
     bytes.push_back(std::move(got.at(name)));
-    if (outcome.wrong.text.empty()) outcome.wrong = misuse_fault(run, port, expected, bytes.back(), poison);
+    Fault misuse = misuse_fault(run, port, expected, bytes.back());
+    Fault& of = expected.live ? outcome.wrong : outcome.memory;
+    if (of.text.empty()) of = std::move(misuse);
   }
-  outcome.verdicts.push_back(judge(bound, layouts, expected, bytes, poison));
+  outcome.verdicts.push_back(judge(bound, layouts, expected, bytes));
   const Verdict& v = outcome.verdicts.back();
   if (v.violations != 0 && outcome.wrong.text.empty())
     outcome.wrong = {name_of(bound),
@@ -181,17 +178,16 @@ void judge_bound(const Run& run, const Bound& bound, ReadBack& got, uint32_t poi
 
 Outcome run_case(device::Device& device, const device::Plan& plan, const Prepared& prepared, const device::Ports& ports,
                  bool inputs) {
-  const uint32_t poison = poison_word(prepared.input.seed, 0);
   const Run run{device,
                 plan,
                 prepared,
                 ports,
                 device::lower(device, plan, prepared.input, ports),
                 bounds_for(*plan.kernel, *plan.variant)};
-  poison_and_run(run, poison);
-  Outcome outcome{.memory = memory_fault(run, poison, inputs)};
+  poison_and_run(run, 0);
+  Outcome outcome{.memory = memory_fault(run, inputs)};
   ReadBack got = read_judged(run);
-  for (const Bound& bound : run.bounds) judge_bound(run, bound, got, poison, outcome);
+  for (const Bound& bound : run.bounds) judge_bound(run, bound, got, outcome);
   return outcome;
 }
 

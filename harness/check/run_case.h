@@ -18,6 +18,9 @@ Prepared prepare(const Kernel&, Case, const DeviceTraits&);
 // differ in each byte, so that what equals both was never written.
 uint32_t poison_word(uint64_t seed, uint32_t choice);
 
+// What the port's words hold before a run. Depth images may hold only 0 to 1: theirs is in [0.75, 1), and as unlikely.
+uint32_t poison_of(const Port&, uint64_t seed, uint32_t choice);
+
 // The bounds that hold for the variant: those of ports that it has.
 std::vector<Bound> bounds_for(const Kernel&, const Variant&);
 
@@ -26,8 +29,10 @@ struct Fault {
   std::string text;  // empty: nothing is wrong
 };
 struct Outcome {
-  Fault memory;                   // a write outside: behind a port, to an input. Counts for baselines too
-  Fault wrong;                    // unwritten or touched elements, a broken bound
+  // Counts for baselines too: a write behind a port or to an input, an element that was not written though it must be
+  // whatever the values are. Where the oracle names live runs, which elements are live is itself a value.
+  Fault memory;
+  Fault wrong;                    // unwritten or touched elements of live runs, a broken bound
   std::vector<Verdict> verdicts;  // one a bound, in the bounds' order
   bool flaky = false;             // the device was lost once and the repeat went through
 };

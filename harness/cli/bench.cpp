@@ -59,13 +59,23 @@ int run(Flags& f) {
     fmt::print(stderr, "every sample is in {}\n", record);
   }
   const auto against = report::speed_against_error_table(result);
+  const auto errors = [&](auto text_of) {
+    std::string text;
+    for (const Kernel* k : selection.kernels)
+      if (const auto table = report::error_table(result, *k); !table.rows.empty())
+        text += fmt::format("\nErrors of {} by class of inputs, least first\n\n{}", k->name, text_of(table));
+    return text;
+  };
   if (!f.markdown.empty())
-    write_text(f.markdown, fmt::format("{} ({} {}), commit {}\n\n{}", info.name, info.driver, info.driver_info,
-                                       report::commit(), report::as_markdown(against)));
+    write_text(f.markdown, fmt::format("{} ({} {}), commit {}\n\n{}{}", info.name, info.driver, info.driver_info,
+                                       report::commit(), report::as_markdown(against), errors(report::as_markdown)));
   if (!json_on_stdout(f.common) && f.markdown != "-")
-    fmt::print("{}\n{}\nSpeed against error, fastest first\n\n{}", report::yardsticks_text(result),
-               report::as_text(report::speed_table(result, info)), report::as_text(against));
-  const bool broken = std::ranges::any_of(result.rows, [](const report::Row& r) { return r.verified.broken; });
+    fmt::print("{}\n{}\nSpeed against error, fastest first\n\n{}{}", report::yardsticks_text(result),
+               report::as_text(report::speed_table(result, info)), report::as_text(against), errors(report::as_text));
+  const auto missed = report::missed_goals(result.errors);
+  for (const std::string& goal : missed) fmt::print(stderr, "{}\n", goal);
+  const bool broken =
+      !missed.empty() || std::ranges::any_of(result.rows, [](const report::Row& r) { return r.verified.broken; });
   const int spoken = validation_verdict(*d);
   return broken ? kViolation : spoken;
 }

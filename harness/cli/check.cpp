@@ -42,7 +42,9 @@ void must_have_case(const std::vector<const Kernel*>& kernels, const check::Opti
 std::string verdict_text(const check::VariantResult& v) {
   if (!v.skipped.empty()) return "skipped: " + v.skipped;
   std::string text = v.violations == 0 ? "ok" : fmt::format("{} VIOLATIONS", v.violations);
-  if (v.baseline) text = v.failures.empty() ? "baseline, held to memory safety only" : "baseline, UNSAFE";
+  if (v.baseline)
+    text = fmt::format("baseline, {}, {} of {} wrong, {} NaN",
+                       v.failures.empty() ? "held to memory safety only" : "UNSAFE", v.wrong, v.judged, v.nans);
   if (v.undecided) text += fmt::format(", {} of {} undecided", v.undecided, v.judged);
   if (v.flaky) text += fmt::format(", FLAKY: device lost and repeated {} times", v.flaky);
   return text;
@@ -99,7 +101,7 @@ void add_check(CLI::App& app, Action& action) {
   auto f = std::make_shared<Flags>();
   f->options.fixtures = fixtures_folder();
   CLI::App* command = subcommand(
-      app, "check", "Runs every variant against its oracle: hard cases, then random trials",
+      app, "check", "Runs every variant against its oracle: hard cases, the typical input, then random trials",
       "Prints each bound's limit, the worst value seen and the reason. A failure prints one command that replays it,\n"
       "and its shrunk case is written to out/failures. Exit 1 if a bound is broken.",
       {"assay check", "assay check tile_classification --trials 1000",
@@ -109,7 +111,8 @@ void add_check(CLI::App& app, Action& action) {
   command->add_option("kernels", f->options.kernels, "Only these; all by default")->type_name("KERNEL");
   command->add_option("--variant", f->options.variant,
                       "Only this variant, by name or with its constants, as in reduce[WIDTH=4]");
-  command->add_option("--case", f->options.case_name, "Only this hard case, fixture or case file; no random trials");
+  command->add_option("--case", f->options.case_name,
+                      "Only this hard case, fixture or case file, or the typical input; no random trials");
   auto* seed = command->add_option("--seed", f->seed, "Only this random trial");
   command->add_option("--trials", f->options.trials, "Random trials a variant")->capture_default_str()->type_name("N");
   command->add_flag("--nightly", f->options.nightly, "The large cases too, oracles unsampled");

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 struct Flags {
   Common common;
-  std::string scene = "small", size = "1280x720", out = "out", camera;
+  std::string scene = "small", size = "1280x720", out = "out", camera, sidecar;
   std::vector<std::string> variants;
   frame::Options options;
   bool explain = false, exr = false;
@@ -59,7 +59,7 @@ void must_have_view(const std::string& view) {
 
 void print(const Flags& f, const frame::Result& r, const fs::path& picture) {
   for (const auto& note : r.notes) fmt::print("note: {}\n", note);
-  if (f.explain) fmt::print("{}\n", frame::to_text(r.explanation));
+  if (f.explain) fmt::print("{}\n{}\n", frame::to_text(r.explanation), frame::to_text(r.memory));
   fmt::print("{}\n{}\n", frame::to_text(r.statistics), frame::times_to_text(r));
   fmt::print("wrote {}\n", picture.string());
 }
@@ -72,7 +72,7 @@ int run(Flags& f) {
   probe_writable(picture.string());
   if (f.exr) probe_writable(layers.string());
   probe_writable(f.common.json);
-  const scene::Scene s = scene::load(f.scene);
+  const scene::Scene s = scene::load(f.scene, f.sidecar);
   scene::Camera camera = scene::default_camera(s);
   if (!f.camera.empty()) camera = look_at(camera, f.camera);
 
@@ -100,21 +100,30 @@ void add_frame(CLI::App& app, Action& action) {
       "Prints what tile classification saved and the time of every pass. Only what the scene needs is allocated and "
       "run;\n"
       "--explain prints every pass with the reason that it runs or is left out, and every resource with its bytes.",
-      {"assay frame", "assay frame --scene sponza.glb --size 1280x720 --view material",
-       "assay frame --scene bare --explain", "assay frame --camera 0,2,5,0,1,0 --view workload --out out/workload",
+      {"assay frame", "assay frame --scene sponza.glb --size 1280x720 --exposure 1",
+       "assay frame --scene default --view wave", "assay frame --scene bare --explain",
+       "assay frame --camera 0,2,5,0,1,0 --view workload --out out/workload",
        "assay frame --variant visibility=fat --json out/frame.json"});
-  command->add_option("--scene", f->scene, "bare, small, or a .gltf or .glb file")->capture_default_str();
+  command->add_option("--scene", f->scene, "bare, small, default, or a .gltf or .glb file")->capture_default_str();
+  command
+      ->add_option("--sidecar", f->sidecar,
+                   "More lights for the scene; NAME.lights.json beside NAME.gltf or NAME.glb by default")
+      ->type_name("FILE");
   command->add_option("--size", f->size, "Pixels")->capture_default_str()->type_name("WxH");
   command->add_option("--view", f->options.view, fmt::format("{}", fmt::join(frame::view_names(), ", ")))
       ->capture_default_str();
   command->add_option("--camera", f->camera, "Eye and target in metres, y up; the file's first camera by default")
       ->type_name("EX,EY,EZ,TX,TY,TZ");
+  command->add_option("--exposure", f->options.exposure_stops, "Stops brighter than the automatic exposure")
+      ->capture_default_str()
+      ->type_name("STOPS")
+      ->check(CLI::Range(-32.0, 32.0));
   command->add_option("--variant", f->variants, "Another variant of a kernel than its default, repeatable")
       ->type_name("KERNEL=VARIANT")
       ->allow_extra_args(false);
   command->add_flag("--explain", f->explain, "Also why each pass runs or is left out, and the bytes of each resource");
   command->add_option("--out", f->out, "Where frame.png goes")->capture_default_str()->type_name("DIR");
-  command->add_flag("--exr", f->exr, "The visibility buffer and depth as frame.exr too");
+  command->add_flag("--exr", f->exr, "Visibility, depth and radiance as frame.exr too");
   add_device_flags(command, f->common);
   add_json_flag(command, f->common, "Statistics, times and the explanation as JSON");
   command->callback([&action, f] { action = [f] { return run(*f); }; });

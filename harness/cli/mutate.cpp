@@ -6,6 +6,7 @@
 #include "harness/check/check.h"
 #include "harness/cli/command.h"
 #include "harness/report/json.h"
+#include "harness/report/progress.h"
 #include "harness/report/table.h"
 
 namespace assay::cli {
@@ -23,7 +24,10 @@ int run(const Flags& f) {
   for (const Kernel* k : chosen_kernels(f.kernels)) names.push_back(k->name);
   probe_writable(f.common.json);
   auto d = open_device(f.common);
-  const auto results = check::mutate(d, device_options(f.common), names, f.trials);
+  report::Progress progress;
+  const auto tell = [&](const std::string& what, uint64_t done, uint64_t of) { progress.update(what, done, of); };
+  const auto results = check::mutate(d, device_options(f.common), names, f.trials, tell);
+  progress.clear();
   const auto killed = std::ranges::count_if(results, [](const auto& m) { return !m.killed_by.empty(); });
   write_json(f.common, report::to_json(results));
   if (!json_on_stdout(f.common)) {

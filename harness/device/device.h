@@ -71,6 +71,8 @@ struct Close {
 using Handle = std::unique_ptr<Device, Close>;
 Handle open(const Options&);  // throws NoSuchDevice, Error
 const Info& info(const Device&);
+// Of the pipeline cache that an earlier run left on disk; 0: there was none that fits.
+size_t loaded_cache_bytes(const Device&);
 // Messages of the validation layer since the last call, one line each. Any is a failure of the test that caused it.
 std::vector<std::string> validation_messages(Device&);
 // Why the variant cannot run here ("needs forward_progress", "subgroup width 8 outside 16..64"); empty if it can.
@@ -173,8 +175,12 @@ struct Timing {
 // Records, submits and waits, 60 s at most. `queue` 1 is the second queue where there is one.
 Timing run(Device&, std::span<const Command>, uint32_t queue = 0);
 
-// ---- Test hook: the next `after`-th checked call whose expression contains `call` returns `result` (a VkResult).
-// --------- Present in builds with ASSAY_TESTS only.
+// ---- Test hooks, present in builds with ASSAY_TESTS only
+// -----------------------------------------------------------------------------------------------------------
+
+// The next `after`-th checked call whose expression contains `call` returns `result` (a VkResult).
 void inject_failure(const std::string& call, int32_t result, uint32_t after = 0);
+// How long run() waits in place of 60 s.
+void set_fence_wait(std::chrono::nanoseconds);
 
 }  // namespace assay::device

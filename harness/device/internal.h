@@ -215,6 +215,7 @@ void submit_once(Device&, const std::function<void(VkCommandBuffer)>& record);
 // -----------------------------------------------------------------------------------------------------------
 
 using ConstantValues = std::map<std::string, uint32_t>;
+void destroy_pipeline(Device&, const Pipeline&) noexcept;  // or what there is of it
 const Pipeline& compute_pipeline(Device&, const Shader&, const ConstantValues&);
 struct DrawState {
   std::vector<std::pair<Format, Blend>> colours;

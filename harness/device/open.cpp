@@ -1,10 +1,6 @@
-// The logical device: queues, features, names, the pipeline cache.
+// The logical device: queues, features, names.
 #include <fmt/format.h>
 
-#include <cstdlib>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 #include "harness/device/internal.h"
@@ -52,12 +48,6 @@ void destroy_queue(Device& d, Queue& q) {
   vkDestroyCommandPool(d.handle, q.pool, nullptr);
 }
 
-void destroy_pipeline(Device& d, Pipeline& p) {
-  vkDestroyPipeline(d.handle, p.handle, nullptr);
-  vkDestroyPipelineLayout(d.handle, p.layout, nullptr);
-  for (const VkDescriptorSetLayout set : p.sets) vkDestroyDescriptorSetLayout(d.handle, set, nullptr);
-}
-
 VkDevice create_device(const Physical& p) {
   const FeatureChain features(p);
   const float priorities[] = {1, 1};
@@ -83,58 +73,7 @@ VkDevice create_device(const Physical& p) {
   return device;
 }
 
-std::filesystem::path cache_file(const Physical& p) {
-  const char* xdg = std::getenv("XDG_CACHE_HOME");
-  const char* home = std::getenv("HOME");
-  if ((!xdg || !*xdg) && (!home || !*home)) return {};
-  const std::filesystem::path folder =
-      xdg && *xdg ? std::filesystem::path(xdg) : std::filesystem::path(home) / ".cache";
-  std::string key;
-  for (const uint8_t b : p.properties.pipelineCacheUUID) key += fmt::format("{:02x}", b);
-  return folder / "assay" / (key + ".pipelines");
-}
-
-// Drivers must refuse a foreign cache themselves, but a damaged file is better not shown to them.
-bool fits(const std::vector<char>& data, const VkPhysicalDeviceProperties& p) {
-  VkPipelineCacheHeaderVersionOne header;
-  if (data.size() < sizeof header) return false;
-  std::memcpy(&header, data.data(), sizeof header);
-  return header.headerVersion == VK_PIPELINE_CACHE_HEADER_VERSION_ONE && header.vendorID == p.vendorID &&
-         header.deviceID == p.deviceID && std::memcmp(header.pipelineCacheUUID, p.pipelineCacheUUID, VK_UUID_SIZE) == 0;
-}
-
 }  // namespace
-
-void load_pipeline_cache(Device& d) {
-  std::ifstream file(cache_file(d.physical), std::ios::binary);
-  std::vector<char> data{std::istreambuf_iterator<char>(file), {}};
-  if (!fits(data, d.physical.properties)) data.clear();
-  d.loaded_cache_bytes = data.size();
-  const VkPipelineCacheCreateInfo info = {.sType = VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO,
-                                          .initialDataSize = data.size(),
-                                          .pInitialData = data.data()};
-  ASSAY_VK(vkCreatePipelineCache(d.handle, &info, nullptr, &d.pipeline_cache));
-}
-
-// Written beside and renamed, so that two processes cannot mix; failing to write costs only time next run.
-void save_pipeline_cache(Device& d) noexcept {
-  try {
-    size_t size = 0;
-    if (vkGetPipelineCacheData(d.handle, d.pipeline_cache, &size, nullptr) != VK_SUCCESS) return;
-    const auto path = cache_file(d.physical);
-    if (size <= std::max(d.loaded_cache_bytes, sizeof(VkPipelineCacheHeaderVersionOne)) || path.empty()) return;
-    std::vector<char> data(size);
-    if (vkGetPipelineCacheData(d.handle, d.pipeline_cache, &size, data.data()) != VK_SUCCESS) return;
-    std::filesystem::create_directories(path.parent_path());
-    auto beside = path;
-    beside +=
-        fmt::format(".{}", reinterpret_cast<uintptr_t>(&d) ^
-                               static_cast<uintptr_t>(std::chrono::steady_clock::now().time_since_epoch().count()));
-    std::ofstream(beside, std::ios::binary).write(data.data(), static_cast<std::streamsize>(size));
-    std::filesystem::rename(beside, path);
-  } catch (...) {
-  }
-}
 
 Device::Device(std::unique_ptr<Instance> i, Physical p) : instance(std::move(i)), physical(std::move(p)) {
   handle = create_device(physical);
@@ -209,6 +148,7 @@ Handle open(const Options& options) {
 }
 
 const Info& info(const Device& d) { return d.physical.info; }
+size_t loaded_cache_bytes(const Device& d) { return d.loaded_cache_bytes; }
 
 std::vector<std::string> validation_messages(Device& d) {
   const std::lock_guard lock(d.instance->messages.mutex);

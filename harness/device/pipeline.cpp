@@ -240,15 +240,19 @@ const Pipeline& cached(Device& d, const std::string& key, Make make) {
     make(p);
     set_name(d, VK_OBJECT_TYPE_PIPELINE, p.handle, key);
   } catch (...) {
-    vkDestroyPipeline(d.handle, p.handle, nullptr);
-    vkDestroyPipelineLayout(d.handle, p.layout, nullptr);
-    for (const VkDescriptorSetLayout set : p.sets) vkDestroyDescriptorSetLayout(d.handle, set, nullptr);
+    destroy_pipeline(d, p);
     throw;
   }
   return d.pipelines.emplace(key, std::move(p)).first->second;
 }
 
 }  // namespace
+
+void destroy_pipeline(Device& d, const Pipeline& p) noexcept {
+  vkDestroyPipeline(d.handle, p.handle, nullptr);
+  vkDestroyPipelineLayout(d.handle, p.layout, nullptr);
+  for (const VkDescriptorSetLayout set : p.sets) vkDestroyDescriptorSetLayout(d.handle, set, nullptr);
+}
 
 VkDescriptorType descriptor_type(BindingKind k) {
   switch (k) {

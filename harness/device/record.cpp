@@ -9,7 +9,7 @@ namespace assay::device {
 
 namespace {
 
-constexpr uint64_t kWaitNs = 60'000'000'000;
+uint64_t fence_wait_ns = 60'000'000'000;
 
 struct StageAccess {
   VkPipelineStageFlags2 stages = 0;
@@ -185,16 +185,21 @@ void begin(Device& d, Queue& q) {
 namespace {
 
 void wait(Device& d, Queue& q) {
-  const VkResult waited = ASSAY_ATTEMPT(vkWaitForFences(d.handle, 1, &q.fence, VK_TRUE, kWaitNs));
+  const VkResult waited = ASSAY_ATTEMPT(vkWaitForFences(d.handle, 1, &q.fence, VK_TRUE, fence_wait_ns));
   if (waited == VK_TIMEOUT) {
     d.hung = true;
-    throw Lost(fmt::format("vkWaitForFences: the work was not done after {} s", kWaitNs / 1'000'000'000));
+    throw Lost(
+        fmt::format("vkWaitForFences: the work was not done after {:g} s", static_cast<double>(fence_wait_ns) * 1e-9));
   }
-  require_success(waited, "vkWaitForFences(d.handle, 1, &q.fence, VK_TRUE, kWaitNs)", __FILE__, __LINE__);
+  require_success(waited, "vkWaitForFences(d.handle, 1, &q.fence, VK_TRUE, fence_wait_ns)", __FILE__, __LINE__);
   ASSAY_VK(vkResetFences(d.handle, 1, &q.fence));
 }
 
 }  // namespace
+
+#ifdef ASSAY_TESTS
+void set_fence_wait(std::chrono::nanoseconds wait) { fence_wait_ns = static_cast<uint64_t>(wait.count()); }
+#endif
 
 void submit_and_wait(Device& d, Queue& q) {
   full_barrier(q.commands, true);

@@ -8,7 +8,9 @@ SHARED_CONST uint kViewMaterial = 0u;  // a colour a material
 SHARED_CONST uint kViewTriangle = 1u;  // a colour a (surface, triangle)
 SHARED_CONST uint kViewTile = 2u;      // the heat of a tile's features, with tile borders
 SHARED_CONST uint kViewWorkload = 3u;  // the workload that shades the tile, over the dimmed material
-SHARED_CONST uint kViewCount = 4u;
+SHARED_CONST uint kViewShader = 4u;    // a colour a shader class of deferred texturing
+SHARED_CONST uint kViewWave = 5u;      // a colour a wave of the pixel lists
+SHARED_CONST uint kViewCount = 6u;
 
 SHARED_END
 #endif

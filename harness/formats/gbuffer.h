@@ -3,7 +3,8 @@
 //
 // base_roughness      rgba8_unorm   rgb: square root of linear base colour; a: perceptual roughness
 // normal              rg16_snorm    world normal, octahedral (Cigolle et al. 2014)
-// metallic_occlusion  rg8_unorm     r: metallic; g: occlusion, 1 is open
+// metallic_occlusion  rg8_unorm     r: metallic, or of skin (kFeatureSkin), which is no metal, thickness, 1 letting no
+//                                   light through; g: occlusion, 1 is open
 // emissive            r32_uint      radiance, E5B9G9R9 as Vulkan defines it, rounded to nearest
 // features            buffer of uint, a pixel: bits of formats/features.h
 #ifndef FORMATS_GBUFFER_H

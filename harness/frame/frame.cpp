@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <glm/gtc/packing.hpp>
 #include <stdexcept>
 
+#include "harness/formats/debug_view.h"
 #include "harness/frame/hazards.h"
 #include "harness/frame/legend.h"
 #include "harness/frame/record.h"
@@ -14,13 +16,32 @@ namespace assay::frame {
 
 namespace {
 
-constexpr const char* kImage = "debug_view.image";
+struct View {
+  const char* name;
+  const char* image;  // the resource that is the picture
+  uint32_t debug;     // kView... of formats/debug_view.h; of no meaning for the lit picture
+  const char* needs;  // a resource that it cannot do without
+};
+constexpr const char* kDebugImage = "debug_view.image";
+constexpr View kViews[] = {
+    {"lit", "resolve.image", kViewCount, "resolve.image"},
+    {"material", kDebugImage, kViewMaterial, kDebugImage},
+    {"triangle", kDebugImage, kViewTriangle, kDebugImage},
+    {"shader", kDebugImage, kViewShader, kDebugImage},
+    {"wave", kDebugImage, kViewWave, "pixel_commands.entries"},
+    {"tile", kDebugImage, kViewTile, "tile_classification.masks"},
+    {"workload", kDebugImage, kViewWorkload, "tile_classification.workload_tiles"},
+};
+constexpr const char* kRadiance = "deferred_lighting.radiance";
+// Beside the goals: what legends, statistics and layers are made of.
+constexpr const char* kDownloads[] = {"visibility.visibility", "visibility.depth", "tile_classification.masks",
+                                      kRadiance, kCommandStatus};
 constexpr uint32_t kLargestSide = 16384;  // that every Vulkan 1.3 device renders to, lavapipe included
 
 struct Prepared {
   scene::Gathered gathered;
   std::map<std::string, uint64_t> scene_bytes;
-  uint32_t view = 0;
+  const View* view = nullptr;
   Graph graph;
 };
 
@@ -29,20 +50,19 @@ bool in_registry(const std::string& resource) {
   return std::ranges::find(all_kernels(), kernel, &Kernel::name) != all_kernels().end();
 }
 
-std::vector<std::string> goals_of(const Options& options) {
+std::vector<std::string> goals_of(const Options& options, const View& view) {
   if (!options.goals.empty()) return options.goals;
-  std::vector<std::string> goals = {kImage};
+  std::vector<std::string> goals = {view.image};
   for (const char* statistics : {kStatistics, kWorkloadCounts})
     if (in_registry(statistics)) goals.push_back(statistics);
   return goals;
 }
 
-uint32_t view_index(const std::string& view) {
-  const auto& names = view_names();
-  const auto it = std::ranges::find(names, view);
-  if (it == names.end())
-    throw std::invalid_argument(fmt::format("no view '{}'; there are {}", view, fmt::join(names, ", ")));
-  return static_cast<uint32_t>(it - names.begin());
+const View& view_named(const std::string& name) {
+  const auto* it = std::ranges::find(kViews, name, &View::name);
+  if (it == std::end(kViews) || !in_registry(it->needs))
+    throw std::invalid_argument(fmt::format("no view '{}'; there are {}", name, fmt::join(view_names(), ", ")));
+  return *it;
 }
 
 void require_size(Extent e) {
@@ -62,7 +82,7 @@ void require_ranges(const Graph& g, const device::Info& info) {
 Prepared prepare(const device::Info& info, const scene::Scene& scene, const scene::Camera& camera,
                  const Options& options) {
   require_size(options.size);
-  Prepared p = {.view = view_index(options.view)};
+  Prepared p = {.view = &view_named(options.view)};
   p.gathered = scene::gather(scene, camera, options.size);
   p.scene_bytes = scene_bytes(p.gathered);
   p.graph = build_graph({.kernels = all_kernels(),
@@ -72,10 +92,10 @@ Prepared prepare(const device::Info& info, const scene::Scene& scene, const scen
                                   .rays = p.gathered.rays,
                                   .near_plane = static_cast<float>(camera.near_plane),
                                   .exposure_stops = options.exposure_stops,
-                                  .view = p.view},
+                                  .view = p.view->debug},
                          .scene = p.scene_bytes,
                          .variants = options.variants,
-                         .goals = goals_of(options),
+                         .goals = goals_of(options, *p.view),
                          .device = &info});
   require_ranges(p.graph, info);
   return p;
@@ -83,8 +103,7 @@ Prepared prepare(const device::Info& info, const scene::Scene& scene, const scen
 
 std::map<std::string, Bytes> download(device::Device& d, const Graph& graph, const Allocated& allocated) {
   std::vector<std::string> names = graph.goals;
-  for (const char* extra : {"visibility.visibility", "visibility.depth", "tile_classification.masks"})
-    names.push_back(extra);
+  names.insert(names.end(), std::begin(kDownloads), std::end(kDownloads));
   std::map<std::string, Bytes> downloads;
   for (const std::string& name : names)
     if (const size_t at = resource_named(graph, name); at != kNobody && !downloads.contains(name))
@@ -93,12 +112,12 @@ std::map<std::string, Bytes> download(device::Device& d, const Graph& graph, con
 }
 
 void show(Result& r, const Prepared& p, const scene::Scene& scene) {
-  const auto picture = r.downloads.find(kImage);
+  const auto picture = r.downloads.find(p.view->image);
   if (picture == r.downloads.end()) return;
   r.image = {r.size.width, r.size.height, std::vector<uint8_t>(picture->second.size())};
   std::memcpy(r.image.texels.data(), picture->second.data(), picture->second.size());
-  const size_t maker = p.graph.resources[resource_named(p.graph, kImage)].producer;
-  r.legend = legend_of(r, scene, p.gathered, p.graph.nodes[maker].input, p.view);
+  const size_t maker = p.graph.resources[resource_named(p.graph, p.view->image)].producer;
+  r.legend = legend_of(r, scene, p.gathered, p.graph.nodes[maker].input, p.view->debug);
 }
 
 template <class T>
@@ -110,10 +129,27 @@ std::vector<T> values_of(const Result& r, const std::string& name) {
   return values;
 }
 
+void add_radiance(image::Layers& layers, const Bytes& halves) {
+  for (size_t channel = 0; channel < 3; ++channel) {
+    std::vector<float> values(halves.size() / 8);
+    for (size_t i = 0; i < values.size(); ++i) {
+      uint16_t half;
+      std::memcpy(&half, &halves[i * 8 + channel * 2], sizeof(half));
+      values[i] = glm::unpackHalf1x16(half);
+    }
+    layers.channels.push_back({std::string("radiance.") + "RGB" [channel], image::Sample::half, std::move(values), {}});
+  }
+}
+
 }  // namespace
 
 const std::vector<std::string>& view_names() {
-  static const std::vector<std::string> names = {"material", "triangle", "tile", "workload"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const View& v : kViews)
+      if (in_registry(v.needs)) all.emplace_back(v.name);
+    return all;
+  }();
   return names;
 }
 
@@ -143,6 +179,7 @@ Result render(device::Device& d, const scene::Scene& scene, const scene::Camera&
   r.gpu_ns = timing.stamps.empty() ? 0 : timing.stamps.back().time_ns;
   r.cpu_ns = timing.cpu_ns;
   r.explanation = explain(p.graph, p.scene_bytes);
+  r.memory = memory_rows(r.explanation, r.size);
   r.notes = scene.notes;
   r.notes.insert(r.notes.end(), p.gathered.notes.begin(), p.gathered.notes.end());
   r.downloads = download(d, p.graph, allocated);
@@ -167,6 +204,7 @@ void write_exr(const std::filesystem::path& path, const Result& r) {
   layers.channels.push_back({"depth.Z", image::Sample::float32, values_of<float>(r, "visibility.depth"), {}});
   layers.channels.push_back({"visibility.surface", image::Sample::uint32, {}, std::move(surface)});
   layers.channels.push_back({"visibility.triangle", image::Sample::uint32, {}, std::move(triangle)});
+  if (r.downloads.contains(kRadiance)) add_radiance(layers, r.downloads.at(kRadiance));
   image::write_exr(path, layers);
 }
 
@@ -191,11 +229,12 @@ nlohmann::json to_json(const Result& r) {
     passes.push_back({{"kernel", t.kernel}, {"pass", t.pass}, {"commands", t.commands}, {"time_ns", t.time_ns}});
   for (const image::LegendRow& row : r.legend)
     legend.push_back({{"colour", fmt::format("#{:02x}{:02x}{:02x}", row.r, row.g, row.b)}, {"text", row.text}});
-  return {{"title", r.title},        {"width", r.size.width},
-          {"height", r.size.height}, {"passes", passes},
-          {"gpu_ns", r.gpu_ns},      {"cpu_ns", r.cpu_ns},
-          {"legend", legend},        {"statistics", to_json(r.statistics)},
-          {"notes", r.notes},        {"explanation", to_json(r.explanation)}};
+  return {{"title", r.title},           {"width", r.size.width},
+          {"height", r.size.height},    {"passes", passes},
+          {"gpu_ns", r.gpu_ns},         {"cpu_ns", r.cpu_ns},
+          {"legend", legend},           {"statistics", to_json(r.statistics)},
+          {"notes", r.notes},           {"explanation", to_json(r.explanation)},
+          {"memory", to_json(r.memory)}};
 }
 
 }  // namespace assay::frame

@@ -11,21 +11,23 @@
 
 #include "harness/device/device.h"
 #include "harness/frame/explain.h"
+#include "harness/frame/memory.h"
 #include "harness/frame/statistics.h"
 #include "harness/image/image.h"
 #include "harness/scene/scene.h"
 
 namespace assay::frame {
 
-// Names of the views of formats/debug_view.h, in its order: material, triangle, tile, workload.
+// What a frame can show: lit, the picture itself, and the debug views of formats/debug_view.h; those that the registry
+// has kernels for. The first is the default.
 const std::vector<std::string>& view_names();
 
 struct Options {
-  Extent size = {1280, 720};      // 1x1 to 16384x16384; what the device's buffers hold (8.4 Mpx on lavapipe)
-  std::string view = "material";  // one of view_names()
+  Extent size = {1280, 720};  // 1x1 to 16384x16384; what the device's buffers hold (8.4 Mpx on lavapipe)
+  std::string view = view_names().front();
   std::map<std::string, std::string> variants =
       {};                    // kernel -> variant or label ("visibility" -> "slim"); else default
-  float exposure_stops = 0;  // added to the automatic exposure
+  float exposure_stops = 0;  // brighter than the automatic exposure
   // Resources that must be computed; whatever none of them needs is left out. Empty: the picture and the statistics.
   std::vector<std::string> goals = {};
   bool warm_up = true;  // draw once before the times are taken: shaders compile at their first dispatch
@@ -49,8 +51,9 @@ struct Result {
   double gpu_ns = 0, cpu_ns = 0;         // first to last timestamp; process CPU time of the submission
   std::vector<PassShare> statistics;     // of tile classification; empty where it did not run
   Explanation explanation;
+  std::vector<MemoryRow> memory;   // beside Lazarek and Hammer's
   std::vector<std::string> notes;  // of the loader and the gather: what was left out and why
-  // What was downloaded, by resource name: the goals, visibility.visibility, visibility.depth, the tile masks.
+  // What was downloaded, by resource name: the goals, and of kDownloads what the frame has.
   std::map<std::string, Bytes> downloads;
 };
 
@@ -61,8 +64,8 @@ Result render(device::Device&, const scene::Scene&, const scene::Camera&, const 
 // The explanation alone: nothing is allocated or run.
 Explanation explain(const device::Info&, const scene::Scene&, const scene::Camera&, const Options&);
 
-// The visibility and depth of a result as one EXR part: visibility.triangle, visibility.surface (uint), depth.Z
-// (float).
+// A result as one EXR part: visibility.triangle, visibility.surface (uint), depth.Z (float), of a lit one also
+// radiance.R, .G and .B (half), scene-linear and before exposure.
 void write_exr(const std::filesystem::path&, const Result&);
 // The picture with its legend below.
 void write_png(const std::filesystem::path&, const Result&);

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "harness/formats/debug_view.h"
+#include "harness/formats/pixel_commands.h"
 #include "harness/formats/visibility.h"
 #include "harness/formats/workloads.h"
 
@@ -32,6 +33,9 @@ constexpr std::pair<uint32_t, const char*> kFeatureNames[] = {
     {kFeatureEmissive, "emissive"},
     {kFeatureTextured, "textured"},
 };
+
+constexpr const char* kShaderNames[kShaderClasses] = {"opaque", "masked", "two layers", "emissive detail",
+                                                      "cloth",  "skin",   "wet",        "foliage"};
 
 struct Row {
   uint32_t colour;
@@ -82,12 +86,17 @@ void add_nothing_row(const Looking& l, const std::vector<uvec2>& visibility, std
                   "no surface, " + l.share(count, visibility.size()) + " of the pixels", count});
 }
 
+std::vector<uint64_t> pixels_by_surface(const Looking& l, const std::vector<uvec2>& visibility) {
+  std::vector<uint64_t> pixels(l.gathered.surfaces.size());
+  for (const uvec2 v : visibility)
+    if (v != uvec2(kVisibilityNone)) ++pixels.at(v.y & kVisibilitySurfaceMask);
+  return pixels;
+}
+
 std::vector<Row> material_rows(const Looking& l) {
   const auto visibility = l.visibility();
   const auto colours = l.palette.input<uint32_t>("material_colours");
-  std::vector<uint64_t> of_surface(l.gathered.surfaces.size());
-  for (const uvec2 v : visibility)
-    if (v != uvec2(kVisibilityNone)) ++of_surface.at(v.y & kVisibilitySurfaceMask);
+  const auto of_surface = pixels_by_surface(l, visibility);
   std::map<uint32_t, uint64_t> pixels_of;
   for (size_t i = 0; i < of_surface.size(); ++i)
     if (of_surface[i]) pixels_of[l.gathered.surfaces[i].material] += of_surface[i];
@@ -117,6 +126,47 @@ std::vector<Row> triangle_rows(const Looking& l) {
                                         seen.size(), surfaces, each),
                             ~uint64_t{0}}};
   add_nothing_row(l, visibility, rows);
+  return rows;
+}
+
+std::vector<Row> shader_rows(const Looking& l) {
+  const auto visibility = l.visibility();
+  const auto colours = l.palette.input<uint32_t>("shader_colours");
+  const auto of_surface = pixels_by_surface(l, visibility);
+  std::vector<uint64_t> pixels(l.gathered.shaders.size());
+  for (size_t i = 0; i < of_surface.size(); ++i) pixels.at(l.gathered.surface_slots[i].shader) += of_surface[i];
+  std::vector<Row> rows;
+  for (size_t slot = 0; slot < pixels.size(); ++slot)
+    rows.push_back(
+        {colours[slot],
+         fmt::format("{}, {}", kShaderNames[l.gathered.shaders[slot]], l.share(pixels[slot], visibility.size())),
+         pixels[slot]});
+  add_nothing_row(l, visibility, rows);
+  return rows;
+}
+
+std::vector<Row> wave_rows(const Looking& l) {
+  const auto status = l.words<CommandStatus>(kCommandStatus);
+  std::vector<Row> rows;
+  for (const CommandStatus& s : status) {
+    const double lanes = static_cast<double>(s.waves) * kWaveSize;
+    rows.push_back({0x808080,
+                    fmt::format("a colour a wave: {} waves of {} lanes, {:.1f}% of the lanes shade", s.waves, kWaveSize,
+                                lanes > 0 ? 100.0 * (s.pixels - s.overflow) / lanes : 0.0),
+                    ~uint64_t{0}});
+    if (s.overflow) rows.push_back({0x606060, fmt::format("{} pixels unpadded, for want of room", s.overflow), 1});
+  }
+  add_nothing_row(l, l.visibility(), rows);
+  return rows;
+}
+
+std::vector<Row> lit_rows(const Looking& l) {
+  std::vector<Row> rows = {
+      {0xffffff,
+       fmt::format("{} surfaces of {} materials in {} shader classes, {} lights", l.gathered.surfaces.size(),
+                   l.gathered.counts.visible_materials, l.gathered.shaders.size(), l.gathered.lights.size()),
+       ~uint64_t{0}}};
+  add_nothing_row(l, l.visibility(), rows);
   return rows;
 }
 
@@ -173,6 +223,25 @@ std::vector<Row> workload_rows(const Looking& l) {
   return rows;
 }
 
+std::vector<Row> rows_of(const Looking& l, uint32_t view) {
+  switch (view) {
+    case kViewMaterial:
+      return material_rows(l);
+    case kViewTriangle:
+      return triangle_rows(l);
+    case kViewTile:
+      return tile_rows(l);
+    case kViewWorkload:
+      return workload_rows(l);
+    case kViewShader:
+      return shader_rows(l);
+    case kViewWave:
+      return wave_rows(l);
+    default:
+      return lit_rows(l);
+  }
+}
+
 }  // namespace
 
 std::string feature_names(uint32_t mask) {
@@ -187,10 +256,7 @@ std::string feature_names(uint32_t mask) {
 std::vector<image::LegendRow> legend_of(const Result& result, const scene::Scene& scene,
                                         const scene::Gathered& gathered, const Case& palette, uint32_t view) {
   const Looking l = {result, scene, gathered, palette};
-  std::vector<Row> rows = view == kViewTriangle   ? triangle_rows(l)
-                          : view == kViewTile     ? tile_rows(l)
-                          : view == kViewWorkload ? workload_rows(l)
-                                                  : material_rows(l);
+  std::vector<Row> rows = rows_of(l, view);
   std::ranges::stable_sort(rows, std::greater(), &Row::count);
   const size_t more = rows.size() > kMostRows ? rows.size() - kMostRows : 0;
   rows.resize(rows.size() - more);

@@ -6,6 +6,8 @@
 
 namespace assay::frame {
 
+inline constexpr const char* kCommandStatus = "pixel_commands.status";
+
 // `palette` is the case of the kernel that made the picture: its colour ports are what was drawn with.
 std::vector<image::LegendRow> legend_of(const Result&, const scene::Scene&, const scene::Gathered&, const Case& palette,
                                         uint32_t view);

@@ -17,11 +17,7 @@ struct SurfaceAttributes {
 vec3 lambert_direction(uint code, bool negative) {
   const vec2 e = unpackSnorm2x16(code);
   const float r = min(dot(e, e), 1.0);
-#ifdef MUTANT_9101
-  return vec3(e * sqrt(1.0 - r), negative ? r - 1.0 : 1.0 - r);
-#else
   return vec3(e * sqrt(2.0 - r), negative ? r - 1.0 : 1.0 - r);
-#endif
 }
 vec3 half_direction(uint code, bool negative) {
   const vec2 xy = unpackHalf2x16(code);
@@ -35,11 +31,7 @@ vec4 shared_exponent_derivatives(uvec2 word) {
   const vec4 mantissas = vec4(bitfieldExtract(int(word.x), 0, 13), bitfieldExtract(int(word.x), 13, 13),
                               bitfieldExtract(int(word.y), 0, 13), bitfieldExtract(int(word.y), 13, 13));
   // As a float's own exponent: E - 139 is at least -112, at most 116.
-#ifdef MUTANT_9102
-  return exponent == 0 ? vec4(0) : mantissas * uintBitsToFloat(uint(exponent + 128 - kAttributeExponentBias) << 23);
-#else
   return exponent == 0 ? vec4(0) : mantissas * uintBitsToFloat(uint(exponent + 127 - kAttributeExponentBias) << 23);
-#endif
 }
 vec4 half_derivatives(uvec2 word) { return vec4(unpackHalf2x16(word.x), unpackHalf2x16(word.y)); }
 
@@ -49,6 +41,12 @@ uint gathered_flags(uvec2 word, uint bit) {
 }
 
 SurfaceAttributes attributes_from(vec2 weights, vec4 derivatives, vec3 normal, vec3 tangent, uint flags) {
+#ifdef MUTANT_9101
+  derivatives = derivatives.xzyw;
+#endif
+#ifdef MUTANT_9102
+  flags ^= kAttributeFrontFacing;
+#endif
   return SurfaceAttributes(vec3(1.0 - weights.x - weights.y, weights),
                            vec3(-derivatives.x - derivatives.y, derivatives.xy),
                            vec3(-derivatives.z - derivatives.w, derivatives.zw), normal, tangent,

@@ -27,7 +27,7 @@ vec2 encode_octahedral(vec3 n) {
   const float sum = abs(n.x) + abs(n.y) + abs(n.z);
   if (!(sum > 0.0 && sum <= 3.402823466e38)) return vec2(0.0);
   const vec3 o = n / sum;
-#ifdef MUTANT_9101  // the lower half is not folded
+#ifdef MUTANT_9301  // the lower half is not folded
   return o.xy;
 #else
   return o.z < 0.0 ? (1.0 - abs(o.yx)) * sign_or_one(o.xy) : o.xy;
@@ -40,7 +40,7 @@ vec3 decode_octahedral(vec2 code) {
   const float steps = 32767.0;
   const vec2 p = round(code * steps);
   vec3 n = vec3(p, steps - abs(p.x) - abs(p.y));
-#ifndef MUTANT_9102  // the lower half stays folded
+#ifndef MUTANT_9302  // the lower half stays folded
   if (n.z < 0.0) n.xy = (steps - abs(p.yx)) * sign_or_one(p);
 #endif
   return n * inversesqrt(dot(n, n));
@@ -60,7 +60,7 @@ uint encode_shared_exponent(vec3 radiance) {
   }
   // Not floor(scaled + 0.5), whose sum is rounded.
   const vec3 whole = floor(scaled);
-#ifdef MUTANT_9103  // truncated
+#ifdef MUTANT_9303  // truncated
   const uvec3 m = uvec3(whole);
 #else
   const uvec3 m = uvec3(whole) + uvec3(greaterThanEqual(scaled - whole, vec3(0.5)));
@@ -69,7 +69,7 @@ uint encode_shared_exponent(vec3 radiance) {
 }
 vec3 decode_shared_exponent(uint code) {
   const uvec3 m = uvec3(code, code >> 9, code >> 18) & 511u;
-#ifdef MUTANT_9104  // the exponent's bias is off by one
+#ifdef MUTANT_9304  // the exponent's bias is off by one
   return vec3(m) * uintBitsToFloat((127u - 23u + (code >> 27)) << 23);
 #else
   return vec3(m) * uintBitsToFloat((127u - 24u + (code >> 27)) << 23);
@@ -78,14 +78,14 @@ vec3 decode_shared_exponent(uint code) {
 
 // Eight bits hold a colour's square root: as fine in the dark as sRGB nearly is, and one product to undo.
 vec4 encode_base_roughness(vec3 base_colour, float roughness) {
-#ifdef MUTANT_9105  // linear colour
+#ifdef MUTANT_9305  // linear colour
   return vec4(saturated(base_colour), saturated(roughness));
 #else
   return vec4(sqrt(saturated(base_colour)), saturated(roughness));
 #endif
 }
 vec3 decode_base_colour(vec4 code) {
-#ifdef MUTANT_9106  // taken for linear
+#ifdef MUTANT_9306  // taken for linear
   return code.rgb;
 #else
   return code.rgb * code.rgb;

@@ -8,6 +8,7 @@
 //   #define PIXEL_COMMANDS commands
 //   #define PIXEL_COMMAND_ROWS command_rows
 //   #define PIXEL_SHADER_SLOT <expression>, the same in all invocations
+// A shader that runs for the rows of several slots defines PIXEL_ROW, the row within the slot, beside the slot.
 // The local size is set here. Sizes of the ports: harness/commands.h.
 #ifndef HARNESS_GLSL_PIXEL_COMMANDS
 #define HARNESS_GLSL_PIXEL_COMMANDS
@@ -16,10 +17,13 @@
 #include "harness/formats/pixel_commands.h"
 
 layout(local_size_x = kCommandThreads) in;
+#ifndef PIXEL_ROW
+#define PIXEL_ROW row
+#endif
 
 // What may be taken for granted of this dispatch's waves. The row is a constant of the dispatch.
-bool one_surface_a_wave() { return row < kCommandBuckets; }
-bool one_material_a_wave() { return row != kOverflowRow; }
+bool one_surface_a_wave() { return PIXEL_ROW < kCommandBuckets; }
+bool one_material_a_wave() { return PIXEL_ROW != kOverflowRow; }
 
 // The wave's own number among those of the row. Groups that a spread dispatch has too many lie past the end.
 uint wave_of_row() {
@@ -31,27 +35,31 @@ uint wave_of_row() {
 bool commanded_pixel(out uvec2 pixel, out uint copy_bits) {
   pixel = uvec2(0u);
   copy_bits = 0u;
-  const CommandRow list = PIXEL_COMMAND_ROWS[PIXEL_SHADER_SLOT * kCommandRows + row];
+#ifdef MUTANT_9205  // the first slot's rows, whatever the slot
+  const CommandRow list = PIXEL_COMMAND_ROWS[PIXEL_ROW];
+#else
+  const CommandRow list = PIXEL_COMMAND_ROWS[PIXEL_SHADER_SLOT * kCommandRows + PIXEL_ROW];
+#endif
   const uint wave = wave_of_row();
-  const uint bucket = one_material_a_wave() ? row % kCommandBuckets : 0u;
+  const uint bucket = one_material_a_wave() ? PIXEL_ROW % kCommandBuckets : 0u;
   const uint command = wave >> bucket;
-#ifdef MUTANT_9101  // one command too many
+#ifdef MUTANT_9201  // one command too many
   if (command > list.count) return false;
 #else
   if (command >= list.count) return false;
 #endif
-#ifdef MUTANT_9102  // every wave of a command is its first
+#ifdef MUTANT_9202  // every wave of a command is its first
   const uint within = 0u;
 #else
   const uint within = wave & ((1u << bucket) - 1u);
 #endif
-#ifdef MUTANT_9103  // the overflow taken for a list of commands
+#ifdef MUTANT_9203  // the overflow taken for a list of commands
   const uint first = PIXEL_COMMANDS[list.first + command] + within;
 #else
   const uint first = one_material_a_wave() ? PIXEL_COMMANDS[list.first + command] + within : list.first + wave;
 #endif
   const uint entry = PIXEL_ENTRIES[first * kWaveSize + gl_LocalInvocationID.x % kWaveSize];
-#ifndef MUTANT_9104  // padding is shaded
+#ifndef MUTANT_9204  // padding is shaded
   if ((entry & kEntryInvalid) != 0u) return false;
 #endif
   const uint mask = (1u << kEntryCoordinateBits) - 1u;

@@ -38,6 +38,12 @@ void time_row(device::Device& d, Run& run, Row& row, const Case& c, uint32_t cou
   row.limit_ns = limit_ns(run.yardsticks, row.copy, row.cost, row.dispatches);
 }
 
+// Errors are of inputs of their own, the same at every extent that is timed.
+bool is_first_extent(const std::vector<Entry>& entries, const Entry& e) {
+  const auto first = std::ranges::find(entries, e.kernel, &Entry::kernel);
+  return first->extent.width == e.extent.width && first->extent.height == e.extent.height;
+}
+
 bool same_input(const Entry& a, const Entry& b) {
   return a.kernel == b.kernel && a.extent.width == b.extent.width && a.extent.height == b.extent.height;
 }
@@ -67,13 +73,14 @@ Verified verify(device::Device& d, const Entry& e, const check::Prepared& prepar
   if (!result.refused.empty()) return result;
   const auto ports = device::make_ports(d, *e.kernel, prepared.input, {}, e.variant);
   const check::Outcome outcome = check::run_case(d, plan_of(e), prepared, ports, true);
-  const auto& bounds = bounds_of(*e.kernel, *e.variant);
+  const auto bounds = check::bounds_for(*e.kernel, *e.variant);
   for (size_t i = 0; i < bounds.size(); ++i) {
     const check::Verdict& v = outcome.verdicts.at(i);
     result.bounds.push_back({check::name_of(bounds[i]), bounds[i].limit, v.worst, bounds[i].reason});
     result.judged += v.judged;
     result.undecided += v.undecided;
     result.violations += v.violations;
+    result.nans += v.nans;
   }
   result.refused = check::fault_of(outcome, *e.variant).text;
   result.broken = !result.refused.empty();
@@ -88,7 +95,7 @@ const check::BoundResult* worst_bound(const std::vector<check::BoundResult>& bou
   return it == bounds.end() ? nullptr : &*it;
 }
 
-Run bench(device::Device& d, const std::vector<Entry>& entries, uint32_t count, const Tell& tell) {
+Run bench(device::Device& d, const std::vector<Entry>& entries, uint32_t count, const check::Tell& tell) {
   Run run;
   tell("yardsticks", 0, entries.size() + 1);
   run.yardsticks = measure_yardsticks(d, count);
@@ -103,6 +110,11 @@ Run bench(device::Device& d, const std::vector<Entry>& entries, uint32_t count, 
     row.cost = e.kernel->cost(prepared.input);
     if (row.verified.refused.empty()) time_row(d, run, row, prepared.input, count);
     run.rows.push_back(std::move(row));
+    if (is_first_extent(entries, e)) {
+      auto errors = measure_errors(d, *e.kernel, *e.variant, e.constants);
+      run.errors.insert(run.errors.end(), std::make_move_iterator(errors.begin()),
+                        std::make_move_iterator(errors.end()));
+    }
   }
   return run;
 }

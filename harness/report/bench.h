@@ -1,6 +1,5 @@
 // Times variants, each verified against the oracle in the same run, and sets their speed beside their error.
 #pragma once
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -8,6 +7,7 @@
 
 #include "harness/check/check.h"
 #include "harness/check/run_case.h"
+#include "harness/report/errors.h"
 #include "harness/report/table.h"
 #include "harness/report/yardsticks.h"
 
@@ -36,7 +36,7 @@ struct Verified {
   std::string refused;  // why it is not timed: it cannot run here, or breaks its bound; empty: timed
   bool broken = false;  // refused because it is wrong
   std::vector<check::BoundResult> bounds;
-  uint64_t judged = 0, undecided = 0, violations = 0;
+  uint64_t judged = 0, undecided = 0, violations = 0, nans = 0;  // elements
 };
 // One run against an oracle's answer that serves every variant of the kernel at that extent.
 Verified verify(device::Device&, const Entry&, const check::Prepared&);
@@ -61,14 +61,16 @@ const check::BoundResult* worst_bound(const std::vector<check::BoundResult>&);
 struct Run {
   Yardsticks yardsticks;
   std::vector<Row> rows;
+  std::vector<ErrorRow> errors;  // of kernels that have an error table
 };
-using Tell = std::function<void(const std::string& what, uint64_t done, uint64_t of)>;
 // `count` samples of each kind an entry.
-Run bench(device::Device&, const std::vector<Entry>&, uint32_t count, const Tell&);
+Run bench(device::Device&, const std::vector<Entry>&, uint32_t count, const check::Tell&);
 
 Table speed_table(const Run&, const device::Info&);
 // One kernel and extent after another: fastest first, the default and the Pareto front marked.
 Table speed_against_error_table(const Run&);
 std::string yardsticks_text(const Run&);
+// A kernel's errors by class of inputs, beside its times at the first extent; empty where it reports none.
+Table error_table(const Run&, const Kernel&);
 
 }  // namespace assay::report

@@ -20,9 +20,14 @@ std::string error_text(const Row& row) {
   return fmt::format("{} of {} ({})", number_text(worst->worst), number_text(worst->limit), worst->name);
 }
 
+std::string baseline_text(const Row& row) {
+  const Verified& v = row.verified;
+  return fmt::format("baseline, {} of {} wrong, {} NaN", v.violations, v.judged, v.nans);
+}
+
 std::string state_text(const Row& row) {
   if (!row.verified.refused.empty()) return (row.verified.broken ? "NOT TIMED: " : "skipped: ") + row.verified.refused;
-  std::string text = row.entry.variant->baseline ? "baseline" : row.entry.is_default ? "default" : "";
+  std::string text = row.entry.variant->baseline ? baseline_text(row) : row.entry.is_default ? "default" : "";
   if (!row.cold_enough) text += text.empty() ? "fits the cache" : ", fits the cache";
   return text;
 }
@@ -95,7 +100,7 @@ Table speed_against_error_table(const Run& run) {
       const Verified& v = r->verified;
       std::string marks = on_front(*r, plot) ? "front" : "";
       if (r->entry.is_default) marks += marks.empty() ? "default" : ", default";
-      if (r->entry.variant->baseline) marks += marks.empty() ? "baseline" : ", baseline";
+      if (r->entry.variant->baseline) marks += (marks.empty() ? "" : ", ") + baseline_text(*r);
       t.rows.push_back({r->entry.kernel->name, size_text(r->entry.extent), label_of(r->entry),
                         time_text(headline_ns(*r)), percent_text(share_of_limit(*r)), bytes_text(bytes_of(*r)),
                         error_text(*r), fmt::format("{} of {}", v.undecided, v.judged), marks});
@@ -105,6 +110,17 @@ Table speed_against_error_table(const Run& run) {
   return t;
 }
 
+Table error_table(const Run& run, const Kernel& kernel) {
+  std::vector<ErrorRow> rows;
+  for (const ErrorRow& r : run.errors)
+    if (r.kernel == &kernel) rows.push_back(r);
+  std::map<std::string, SpeedAndSize> beside;
+  for (const Row& r : run.rows)
+    if (r.entry.kernel == &kernel && r.verified.refused.empty())
+      beside.try_emplace(label_of(r.entry), SpeedAndSize{headline_ns(r), bytes_of(r)});
+  return error_table(rows, beside);
+}
+
 std::string yardsticks_text(const Run& run) {
   std::string text = fmt::format("this device: empty dispatch {}, multiply and add {:.3g} Gop/s",
                                  time_text(run.yardsticks.empty_ns), run.yardsticks.operations_per_s / 1e9);
@@ -112,7 +128,8 @@ std::string yardsticks_text(const Run& run) {
     text += fmt::format(
         ", copy of {} {}", bytes_text(static_cast<double>(bytes)),
         std::isfinite(copy.bytes_per_s) ? fmt::format("{:.3g} GB/s", copy.bytes_per_s / 1e9) : "lost in the dispatch");
-  return text + "\n";
+  return text + fmt::format("; filters linear textures within {:.2f}/255, alpha of sRGB ones within {:.2f}/255\n",
+                            run.yardsticks.filter.linear, run.yardsticks.filter.srgb_alpha);
 }
 
 }  // namespace assay::report

@@ -44,6 +44,7 @@ Json yardsticks_json(const Yardsticks& y) {
   return {{"empty_dispatch_ns", number(y.empty_ns)},
           {"operations_per_s", number(y.operations_per_s)},
           {"copies", copies},
+          {"filter_error_255ths", {{"linear", number(y.filter.linear)}, {"srgb_alpha", number(y.filter.srgb_alpha)}}},
           {"empty_samples", samples_json(y.empty_samples)},
           {"arithmetic_samples", samples_json(y.arithmetic_samples)}};
 }
@@ -63,6 +64,7 @@ Json row_json(const Row& r) {
             {"judged", v.judged},
             {"undecided", v.undecided},
             {"violations", v.violations},
+            {"nans", v.nans},
             {"bounds", bounds_json(v.bounds)},
             {"bytes_read", r.cost.bytes_read},
             {"bytes_written", r.cost.bytes_written},
@@ -85,9 +87,11 @@ Json variant_json(const check::VariantResult& v) {
   Json failures = Json::array();
   for (const auto& f : v.failures)
     failures.push_back({{"text", f.text}, {"replay", f.replay}, {"file", f.file.string()}});
-  return {{"name", v.name},   {"baseline", v.baseline},          {"skipped", v.skipped}, {"trials", v.trials},
-          {"cases", v.cases}, {"violations", v.violations},      {"judged", v.judged},   {"undecided", v.undecided},
-          {"flaky", v.flaky}, {"bounds", bounds_json(v.bounds)}, {"failures", failures}};
+  return {{"name", v.name},      {"baseline", v.baseline},   {"skipped", v.skipped},
+          {"trials", v.trials},  {"cases", v.cases},         {"violations", v.violations},
+          {"judged", v.judged},  {"undecided", v.undecided}, {"wrong", v.wrong},
+          {"nans", v.nans},      {"flaky", v.flaky},         {"bounds", bounds_json(v.bounds)},
+          {"failures", failures}};
 }
 
 const char* name_of_use(Use u) { return u == Use::reads ? "reads" : u == Use::writes ? "writes" : "updates"; }
@@ -114,6 +118,13 @@ Json listed_variant(const Kernel& k, const Variant& v, const std::string& label)
           {"note", v.note},  {"needs", needs},         {"trials", 0},
           {"cases", 0},      {"violations", 0},        {"undecided", 0},
           {"bounds", bounds}};
+}
+
+Json error_json(const ErrorRow& r) {
+  Json figures = Json::object();
+  for (const Figure& f : r.figures)
+    figures[f.quantity] = {{"value", number(f.value)}, {"goal", f.limit != 0 ? number(f.limit) : Json()}};
+  return {{"kernel", r.kernel->name}, {"variant", r.label}, {"class", r.input_class}, {"figures", figures}};
 }
 
 }  // namespace
@@ -185,13 +196,12 @@ Json to_json(const std::vector<check::MutantResult>& mutants) {
 }
 
 Json to_json(const Run& run, const device::Info& info) {
-  Json rows = Json::array();
+  Json rows = Json::array(), errors = Json::array();
   for (const Row& r : run.rows) rows.push_back(row_json(r));
-  return {{"time", utc_now()},
-          {"commit", commit()},
-          {"device", to_json(info)},
-          {"yardsticks", yardsticks_json(run.yardsticks)},
-          {"results", rows}};
+  for (const ErrorRow& r : run.errors) errors.push_back(error_json(r));
+  return {{"time", utc_now()},       {"commit", commit()},
+          {"device", to_json(info)}, {"yardsticks", yardsticks_json(run.yardsticks)},
+          {"results", rows},         {"errors", errors}};
 }
 
 Json list_json(const std::vector<const Kernel*>& kernels) {

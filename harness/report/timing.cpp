@@ -45,6 +45,7 @@ double median(std::vector<double> values) {
 template <class Member>
 double median_of(const std::vector<Sample>& all, Member member) {
   std::vector<double> values;
+  values.reserve(all.size());
   for (const Sample& s : all) values.push_back(s.*member);
   return median(std::move(values));
 }

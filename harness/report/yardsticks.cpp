@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "harness/check/run_case.h"
+
 namespace assay {
 const std::vector<Kernel>& yardstick_kernels();  // generated
 }
@@ -51,8 +53,18 @@ Best best_of(device::Device& d, const Kernel& kernel, const Case& c, uint32_t co
 
 }  // namespace
 
+FilterFigure measure_filter(device::Device& d) {
+  const Kernel& kernel = yardstick("filter_yardstick");
+  const auto prepared = check::prepare(kernel, kernel.typical(kernel.extents[0]), device::info(d).traits);
+  const auto ports = device::make_ports(d, kernel, prepared.input);
+  const device::Plan plan{.kernel = &kernel, .variant = &kernel.variants[0]};
+  const check::Outcome outcome = check::run_case(d, plan, prepared, ports, false);
+  return {255 * outcome.verdicts.at(0).worst, 255 * outcome.verdicts.at(1).worst};
+}
+
 Yardsticks measure_yardsticks(device::Device& d, uint32_t count) {
   Yardsticks y;
+  y.filter = measure_filter(d);
   const Kernel& empty = yardstick("empty_yardstick");
   const Best nothing = best_of(d, empty, empty.typical(empty.extents[0]), count);
   y.empty_ns = nothing.time_ns;

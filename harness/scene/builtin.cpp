@@ -1,80 +1,13 @@
 // Scenes made by code, the same on every machine: `bare` and `small`.
-#include <fmt/format.h>
 #include <cmath>
-#include <functional>
-#include <glm/gtc/constants.hpp>
-#include <glm/gtc/matrix_transform.hpp>
-#include <stdexcept>
 
-#include "harness/scene/scene.h"
+#include "harness/scene/builtin.h"
 
 namespace assay::scene {
+
+using namespace builtin;
+
 namespace {
-
-constexpr double kTau = 6.283185307179586;
-
-// A texel's position in 0..1 to its colour.
-using Paint = std::function<glm::vec4(float u, float v)>;
-uint32_t add_image(Scene& s, const std::string& name, uint32_t side, const Paint& paint) {
-  Image image = {name, side, side, {}};
-  for (uint32_t y = 0; y < side; ++y)
-    for (uint32_t x = 0; x < side; ++x) {
-      const float scale = 1.0f / static_cast<float>(side);
-      const glm::vec4 c = paint((static_cast<float>(x) + 0.5f) * scale, (static_cast<float>(y) + 0.5f) * scale);
-      for (int i = 0; i < 4; ++i)
-        image.rgba.push_back(static_cast<uint8_t>(std::lround(glm::clamp(c[i], 0.0f, 1.0f) * 255)));
-    }
-  s.images.push_back(std::move(image));
-  return static_cast<uint32_t>(s.images.size() - 1);
-}
-
-uint32_t add_material(Scene& s, Material m) {
-  s.materials.push_back(std::move(m));
-  return static_cast<uint32_t>(s.materials.size() - 1);
-}
-
-// A patch of columns x rows quads over u and v in 0..1, counter-clockwise seen from where u runs right and v up.
-using Patch = std::function<glm::dvec3(double u, double v)>;
-void append_patch(Mesh& mesh, uint32_t columns, uint32_t rows, const glm::vec2& repeats, const Patch& point) {
-  const auto base = static_cast<uint32_t>(mesh.positions.size());
-  for (uint32_t r = 0; r <= rows; ++r)
-    for (uint32_t c = 0; c <= columns; ++c) {
-      const double u = static_cast<double>(c) / columns, v = static_cast<double>(r) / rows, step = 1e-4;
-      const glm::dvec3 du = point(u + step, v) - point(u - step, v), dv = point(u, v + step) - point(u, v - step);
-      const glm::vec3 normal(normalize(cross(du, dv)));
-      mesh.positions.emplace_back(point(u, v));
-      // glTF's v runs down.
-      mesh.attributes.push_back({normal, glm::vec4(glm::vec3(normalize(du)), 1),
-                                 glm::vec2(static_cast<float>(u), static_cast<float>(1 - v)) * repeats});
-    }
-  for (uint32_t r = 0; r < rows; ++r)
-    for (uint32_t c = 0; c < columns; ++c) {
-      const uint32_t a = base + r * (columns + 1) + c, b = a + 1, d = a + columns + 1, e = d + 1;
-      for (const uint32_t i : {a, b, e, a, e, d}) mesh.indices.push_back(i);
-    }
-}
-
-uint32_t add_mesh(Scene& s, Mesh mesh, uint32_t material) {
-  uint32_t first = 0;
-  for (const Part& part : mesh.parts) first += part.index_count;
-  mesh.parts.push_back({first, static_cast<uint32_t>(mesh.indices.size()) - first, material});
-  s.meshes.push_back(std::move(mesh));
-  return static_cast<uint32_t>(s.meshes.size() - 1);
-}
-
-uint32_t add_patch_mesh(Scene& s, const std::string& name, uint32_t material, uint32_t columns, uint32_t rows,
-                        const glm::vec2& repeats, const Patch& point) {
-  Mesh mesh;
-  mesh.name = name;
-  append_patch(mesh, columns, rows, repeats, point);
-  return add_mesh(s, std::move(mesh), material);
-}
-
-void place(Scene& s, uint32_t mesh, const glm::dvec3& at, double turn_rad = 0,
-           const glm::dvec3& scale = glm::dvec3(1)) {
-  const glm::dmat4 moved = glm::translate(glm::dmat4(1), at);
-  s.instances.push_back({mesh, glm::scale(glm::rotate(moved, turn_rad, glm::dvec3(0, 1, 0)), scale)});
-}
 
 // ---- Textures of `small` -------------------------------------------------------------------------------------------
 
@@ -86,21 +19,6 @@ glm::vec4 tiles(float u, float v) {
 glm::vec4 weave(float u, float v) {
   const float stripe = std::fmod(u * 6, 1.0f) < 0.5f ? 1.0f : 0.75f, border = v < 0.08f || v > 0.92f ? 0.5f : 1.0f;
   return {0.75f * stripe * border, 0.15f * stripe, 0.12f * stripe, 1};
-}
-// Seven pointed leaves on a stem; alpha falls linearly across a leaf's outline, so the cut is a line between texels.
-glm::vec4 leaves(float u, float v) {
-  float inside = 0.06f - std::fabs(u - 0.5f) - 0.05f * v;
-  for (int i = 0; i < 7; ++i) {
-    const float side = i % 2 ? 1.0f : -1.0f, root = 0.88f - 0.12f * static_cast<float>(i);
-    const float along = ((u - 0.5f) * side * 0.8f + (root - v) * 0.6f) / 0.46f;  // 0 at the stem, 1 at the tip
-    const float across = (u - 0.5f) * side * 0.6f - (root - v) * 0.8f;
-    if (along > 0 && along < 1) inside = std::fmax(inside, 0.22f * along * (1 - along) - std::fabs(across));
-  }
-  return {0.2f + 0.2f * v, 0.5f - 0.15f * v, 0.12f, 0.5f + inside * 16};
-}
-glm::vec4 grille(float u, float v) {
-  const float x = std::fabs(std::fmod(u * 8, 1.0f) - 0.5f), y = std::fabs(std::fmod(v * 8, 1.0f) - 0.5f);
-  return {0.3f, 0.3f, 0.32f, 0.5f + (std::fmax(x, y) - 0.36f) * 6};
 }
 
 // ---- Shapes of `small` ---------------------------------------------------------------------------------------------
@@ -120,11 +38,6 @@ glm::dvec3 spiral(double u, double v) {
   const glm::dvec3 side = normalize(cross(along, glm::dvec3(0, 1, 0))), up = cross(side, along);
   const double radius = 0.11 - 0.06 * v;
   return centre(v) + radius * (side * std::cos(u * kTau) - up * std::sin(u * kTau));
-}
-glm::dvec3 sphere(double u, double v) {
-  const double polar = (0.002 + 0.996 * v) * glm::pi<double>();  // short of the poles, where u has no direction
-  return glm::dvec3(std::sin(polar) * std::sin(u * kTau), -std::cos(polar), std::sin(polar) * std::cos(u * kTau)) *
-         0.18;
 }
 glm::dvec3 banner(double u, double v) { return {u - 0.5, 2.2 * v, 0.1 * std::sin(u * 9 + v * 3) * (1.2 - v)}; }
 
@@ -177,7 +90,8 @@ void add_things(Scene& s) {
   const uint32_t spirals = add_patch_mesh(s, "spiral", bronze, 16, 96, {1, 8}, spiral);
   place(s, spirals, {-1.2, 0, -2.5});
   place(s, spirals, {1.4, 0, -2.5}, 0.2, {-1, 1, 1});  // mirrored
-  place(s, add_patch_mesh(s, "lamp", lamp, 24, 16, {1, 1}, sphere), {0, 3.2, -3});
+  place(s, add_patch_mesh(s, "lamp", lamp, 24, 16, {1, 1}, [](double u, double v) { return sphere(u, v) * 0.18; }),
+        {0, 3.2, -3});
   const uint32_t flag = add_patch_mesh(s, "banner", cloth, 20, 24, {1, 1}, banner);
   place(s, flag, {-1.6, 1.6, -5});
   place(s, flag, {1.6, 1.6, -5}, 2.6);
@@ -249,15 +163,6 @@ Scene small() {
   s.cameras = {look_at({0.6, 2.1, 7.2}, {0, 1.5, -2}, 0.785398)};
   s.cameras[0].name = "hall";
   return s;
-}
-
-Scene load(const std::string& name_or_file) {
-  if (name_or_file == "bare") return bare();
-  if (name_or_file == "small") return small();
-  if (!std::filesystem::is_regular_file(name_or_file))
-    throw std::runtime_error(
-        fmt::format("{}: no such scene; give a .gltf or .glb file, or bare or small", name_or_file));
-  return load_gltf(name_or_file);
 }
 
 }  // namespace assay::scene

@@ -56,15 +56,14 @@ uint32_t feature_bits(const Scene& scene, const Material& m) {
 }
 
 // A scene made by code names its classes. A file's material has the first class whose feature it has, and glTF has no
-// word for two layers; what such a class samples and the material lacks reads white. A double-sided material is masked
-// even without a cutoff: that class turns the normals of back faces.
+// word for two layers; what such a class samples and the material lacks reads white.
 uint32_t shader_class(const Scene& scene, const Material& m) {
   if (m.shader) return *m.shader;
   const uint32_t bits = feature_bits(scene, m);
   if (bits & kFeatureCloth) return kShaderCloth;
   if (bits & kFeatureSkin) return kShaderSkin;
   if (bits & (kFeatureWetnessDrops | kFeaturePuddles)) return kShaderWet;
-  if (bits & (kFeatureMasked | kFeatureDoubleSided)) return bits & kFeatureSubsurface ? kShaderFoliage : kShaderMasked;
+  if (bits & kFeatureMasked) return bits & kFeatureSubsurface ? kShaderFoliage : kShaderMasked;
   if (bits & kFeatureEmissive) return kShaderEmissiveDetail;
   return kShaderOpaque;
 }

@@ -65,18 +65,19 @@ std::string fault_of(const Light& light) {
   return {};
 }
 
+std::vector<Light> lights_of(const Scene& scene, const Camera& camera) {
+  return scene.lights.empty() ? std::vector<Light>{default_light(camera)} : scene.lights;
+}
+
 void append_lights(const Scene& scene, const Camera& camera, const ClipRows& rows, Gathered& to) {
-  if (scene.lights.empty()) {
-    to.lights.push_back(record_of(default_light(camera), camera.eye));
+  const std::vector<Light> lights = lights_of(scene, camera);
+  for (const Light& light : lights)
+    if (!out_of_reach(light, camera, rows)) to.lights.push_back(record_of(light, camera.eye));
+  if (scene.lights.empty())
     to.notes.emplace_back(
         "the scene has no light: a directional one of 3.14 lux shines from over the viewer's shoulder");
-    return;
-  }
-  for (const Light& light : scene.lights)
-    if (!out_of_reach(light, camera, rows)) to.lights.push_back(record_of(light, camera.eye));
-  if (const size_t culled = scene.lights.size() - to.lights.size())
-    to.notes.push_back(
-        fmt::format("{} of {} lights do not reach the view and are culled", culled, scene.lights.size()));
+  if (const size_t culled = lights.size() - to.lights.size())
+    to.notes.push_back(fmt::format("{} of {} lights do not reach the view and are culled", culled, lights.size()));
 }
 
 }  // namespace assay::scene

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/scene/json_file.h"
 #include "harness/scene/scene.h"
 
 namespace tinygltf {
@@ -15,9 +16,6 @@ struct Primitive;
 }  // namespace tinygltf
 
 namespace assay::scene::gltf {
-
-// Throws "<place>: <what>"; load_gltf puts the file before it.
-[[noreturn]] void refuse(const std::string& place, const std::string& what);
 
 // The document with every reference and every byte range in it checked; images are still encoded.
 tinygltf::Model read(const std::filesystem::path&, std::vector<std::string>& notes);

@@ -2,9 +2,6 @@
 // and nests as deep as the document does.
 #include <fmt/format.h>
 #include <tiny_gltf.h>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "harness/scene/gltf.h"
 
@@ -12,7 +9,6 @@ namespace assay::scene::gltf {
 namespace {
 
 using Json = nlohmann::json;
-constexpr int kDeepest = 64;  // of a document; real ones stay under 12
 
 // A reference's path, '*' for any element or member, and the array that it points into.
 struct Reference {
@@ -178,37 +174,6 @@ void check_extensions(const Json& doc, std::vector<std::string>& notes) {
       notes.push_back(fmt::format("extension {} is left out", f.value->dump()));
 }
 
-// How deep brackets nest outside strings. Counted before parsing: the library's recursion is bounded by it, and a
-// parser callback would cost a walk over the parent at every element's end.
-int depth_of(std::string_view text) {
-  int depth = 0, deepest = 0;
-  bool quoted = false;
-  for (size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (quoted && c == '\\') {
-      ++i;
-    } else if (c == '"') {
-      quoted = !quoted;
-    } else if (!quoted && (c == '[' || c == '{')) {
-      deepest = std::max(deepest, ++depth);
-    } else if (!quoted && (c == ']' || c == '}')) {
-      --depth;
-    }
-  }
-  return deepest;
-}
-
-Json parse(std::string_view text) {
-  if (depth_of(text) > kDeepest) refuse("JSON", fmt::format("nested over {} levels deep", kDeepest));
-  try {
-    Json doc = Json::parse(text);
-    if (!doc.is_object()) refuse("JSON", "the document is not an object");
-    return doc;
-  } catch (const Json::parse_error& e) {
-    refuse(fmt::format("JSON, byte {}", e.byte), "not valid JSON");
-  }
-}
-
 uint32_t word(std::string_view bytes, size_t at) {
   uint32_t v;
   std::memcpy(&v, bytes.data() + at, 4);
@@ -248,22 +213,13 @@ bool keep_encoded(tinygltf::Image* image, const int, std::string*, std::string*,
   return true;
 }
 
-std::string read_file(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  if (!in) refuse("file", "cannot be read");
-  return bytes;
-}
-
 }  // namespace
-
-void refuse(const std::string& place, const std::string& what) { throw std::runtime_error(place + ": " + what); }
 
 tinygltf::Model read(const std::filesystem::path& file, std::vector<std::string>& notes) {
   const std::string bytes = read_file(file);
   const bool binary = bytes.compare(0, 4, "glTF") == 0;
   const Chunks chunks = binary ? chunks_of(bytes) : Chunks{bytes};
-  const Json doc = parse(chunks.json);
+  const Json doc = parse_json(chunks.json);
   check_shapes(doc);
   check_extensions(doc, notes);
   check_references(doc);

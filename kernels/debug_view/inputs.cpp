@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "harness/formats/material.h"
 #include "kernels/debug_view/palette.h"
 #include "kernels/debug_view/picture.h"
 
@@ -57,13 +58,40 @@ std::vector<uint32_t> first_tiles(uint32_t n, uint32_t first = 0) {
   return tiles;
 }
 
+// Every pixel of the screen once, in random order.
+std::vector<uvec2> shuffled_pixels(Extent e, Pcg32& rng) {
+  std::vector<uvec2> all;
+  for (uint32_t y = 0; y < e.height; ++y)
+    for (uint32_t x = 0; x < e.width; ++x) all.emplace_back(x, y);
+  for (size_t i = all.size(); i > 1; --i) std::swap(all[i - 1], all[rng.below(static_cast<uint32_t>(i))]);
+  return all;
+}
+
+void add_waves(Picture& p, Pcg32& rng, uint32_t shaders) {
+  p.shader_colours.resize(shaders);
+  p.waves = wave_lists(p.extent, shaders, shuffled_pixels(p.extent, rng), rng);
+}
+
+// Slots in turn, one of eight unregistered.
+void add_slots(Picture& p, Pcg32& rng, uint32_t shaders) {
+  p.shader_colours = shader_palette(shaders);
+  for (size_t i = 0; i < p.surface_materials.size(); ++i)
+    p.slots.push_back({rng.below(8) ? rng.below(shaders) : kUnregistered, rng.next()});
+}
+
 }  // namespace
 
 Case random_case(Random& r) {
   const Extent extent = random_extent(r, kTileSide);
-  const auto view = static_cast<uint32_t>(r.branch(
-      {{"view_material", 1}, {"view_triangle", 1}, {"view_tile", 1}, {"view_workload", 2}, {"view_unknown", 0.2}}));
-  Picture p = empty_picture(extent, view, 1 + r.rng.below(200), 1 + r.rng.below(40));
+  const size_t view = r.branch({{"view_material", 1},
+                                {"view_triangle", 1},
+                                {"view_tile", 1},
+                                {"view_workload", 2},
+                                {"view_shader", 1},
+                                {"view_wave", 1},
+                                {"view_unknown", 0.2}});
+  const uint32_t views[] = {kViewMaterial, kViewTriangle, kViewTile, kViewWorkload, kViewShader, kViewWave, 77};
+  Picture p = empty_picture(extent, views[view], 1 + r.rng.below(200), 1 + r.rng.below(40));
   for (uint32_t& c : p.material_colours) c = r.rng.next();
   for (uint32_t& m : p.masks) m = r.rng.below(5) ? r.rng.next() & r.rng.next() & r.rng.next() : 0;
   add_rectangles(p, r.rng, r.rng.below(40));
@@ -82,6 +110,8 @@ Case random_case(Random& r) {
     default:
       add_hostile_lists(p, r.rng, 1 + r.rng.below(8));
   }
+  if (p.view == kViewShader) add_slots(p, r.rng, 1 + r.rng.below(kShaderClasses));
+  if (p.view == kViewWave) add_waves(p, r.rng, 1 + r.rng.below(kShaderClasses));
   Case c = to_case(p);
   c.name = "random";
   return c;
@@ -89,8 +119,9 @@ Case random_case(Random& r) {
 
 std::vector<std::string> branches() {
   std::vector<std::string> all = kExtentBranches;
-  for (const char* b : {"view_material", "view_triangle", "view_tile", "view_workload", "view_unknown",
-                        "indices_in_range", "indices_out_of_range", "lists_none", "lists_partition", "lists_hostile"})
+  for (const char* b :
+       {"view_material", "view_triangle", "view_tile", "view_workload", "view_shader", "view_wave", "view_unknown",
+        "indices_in_range", "indices_out_of_range", "lists_none", "lists_partition", "lists_hostile"})
     all.push_back(b);
   return all;
 }
@@ -184,6 +215,38 @@ std::vector<HardCase> hard_cases() {
        [=] {
          return with_lists({64, 64}, {list_of({0, 1}, 0), list_of({2}, green)});
        }},
+      {"slots", "shader slots in turn, at and behind the last, unregistered; material slots that differ",
+       [] {
+         Picture p = busy_picture({64, 64}, kViewShader);
+         p.shader_colours = shader_palette(4);
+         for (uint32_t i = 0; i < p.surface_materials.size(); ++i)
+           p.slots.push_back({i % 6 == 5 ? kUnregistered : i % 6, (i + 1) % 4});
+         return to_case(p);
+       }},
+      {"waves", "two slots, every bucket, waves filled in part",
+       [] {
+         Picture p = busy_picture({190, 133}, kViewWave);
+         Pcg32 rng(3);
+         add_waves(p, rng, 2);
+         return to_case(p);
+       }},
+      {"waves_off_screen", "entries whose column or row is not on the screen are left alone",
+       [] {
+         Picture p = busy_picture({70, 40}, kViewWave);
+         Pcg32 rng(4);
+         p.shader_colours.resize(1);
+         std::vector<uvec2> pixels;
+         for (uint32_t i = 0; i < 1500; ++i) pixels.emplace_back(70 + i % 60, i / 60 * 2);
+         p.waves = wave_lists(p.extent, 1, pixels, rng);
+         return to_case(p);
+       }},
+      {"no_shader", "the shader and wave views of a scene without any",
+       [] {
+         Picture p = busy_picture({33, 31}, kViewWave);
+         Pcg32 rng(5);
+         add_waves(p, rng, 0);
+         return to_case(p);
+       }},
       {"full_hd_and_one", "an odd extent of real size",
        [=] {
          return with_lists({1921, 1081}, {list_of(first_tiles(2074), blue)});
@@ -236,7 +299,11 @@ Case typical(Extent extent) {
 Case in_frame(const FrameInputs& f) {
   Case c = {.name = "frame", .extent = f.extent};
   const auto rows = static_cast<uint32_t>(std::size(kFrameWorkloads));
-  c.set_params(ViewParams{f.extent.width, f.extent.height, f.view, f.scene.surfaces, f.scene.materials, rows});
+  c.set_params(ViewParams{f.extent.width, f.extent.height, f.view, f.scene.surfaces, f.scene.materials, rows,
+                          static_cast<uint32_t>(f.shaders.size())});
+  std::vector<uint32_t> shader_colours;
+  for (const uint32_t shader : f.shaders) shader_colours.push_back(shader_palette(kShaderClasses)[shader]);
+  c.set_input("shader_colours", shader_colours);
   c.set_input("material_colours", material_palette(f.scene.materials));
   c.set_input("heat_colours", heat_palette());
   // One pass at a time can be shown, and the last is the one that shades every tile with a surface.

@@ -1,3 +1,4 @@
+#include "harness/commands.h"
 #include "kernels/debug_view/inputs.h"
 #include "kernels/debug_view/layout.h"
 #include "kernels/debug_view/oracle.h"
@@ -6,22 +7,55 @@ namespace assay::debug_view {
 namespace {
 
 Groups per_pixel(const Case& c) { return {ceil_div(c.extent.width, 16), ceil_div(c.extent.height, 16), 1}; }
+Groups none() { return {0, 0, 0}; }
+uint32_t view_of(const Case& c) { return c.params<ViewParams>().view; }
+// The views that need more than the visibility have a pass of their own, and its inputs are bound for that view alone.
+bool has_own_pass(const Case& c) { return view_of(c) == kViewTile || view_of(c) == kViewShader; }
+Groups for_tiles(const Case& c) { return view_of(c) == kViewTile ? per_pixel(c) : none(); }
+Groups for_shaders(const Case& c) { return view_of(c) == kViewShader ? per_pixel(c) : none(); }
 Groups per_run(const Case& c) { return {ceil_div(c.extent.width, 16 * kRunPixels), ceil_div(c.extent.height, 16), 1}; }
 uint64_t surfaces(const Case& c) { return c.params<ViewParams>().surfaces; }
 uint64_t materials(const Case& c) { return c.params<ViewParams>().materials; }
 uint64_t list_entries(const Case& c) { return tiles(c) * workloads(c); }
-uint64_t shown_workloads(const Case& c) { return c.params<ViewParams>().view == kViewWorkload ? workloads(c) : 0; }
+uint64_t shown_workloads(const Case& c) { return view_of(c) == kViewWorkload ? workloads(c) : 0; }
+uint64_t shaders(const Case& c) { return c.params<ViewParams>().shaders; }
+uint64_t shown_slots(const Case& c) { return view_of(c) == kViewShader ? surfaces(c) : 0; }
+uint64_t shown_rows(const Case& c) { return view_of(c) == kViewWave ? command_rows(shaders(c)) : 0; }
+uint64_t waves(const Case& c) { return view_of(c) == kViewWave ? command_waves(c.extent, shaders(c)) : 0; }
+uint64_t entries(const Case& c) { return waves(c) * kWaveSize; }
 
-Cost cost(const Case& c) {
-  const uint64_t read = pixels(c) * sizeof(uvec2) + surfaces(c) * sizeof(SurfaceRecord) +
-                        (materials(c) + tiles(c) + kHeatColours + list_entries(c)) * sizeof(uint32_t) +
-                        workloads(c) * (sizeof(WorkloadCount) + sizeof(DispatchArgs) + sizeof(uint32_t));
-  return {.bytes_read = read, .bytes_written = pixels(c) * sizeof(uint32_t), .operations = pixels(c) * 3};
+// What the view's own pass reads beside the visibility.
+uint64_t bytes_of_view(const Case& c) {
+  const uint64_t scene = surfaces(c) * sizeof(SurfaceRecord) + materials(c) * sizeof(uint32_t);
+  switch (view_of(c)) {
+    case kViewTile:
+      return scene + (tiles(c) + kHeatColours) * sizeof(uint32_t);
+    case kViewShader:
+      return shown_slots(c) * sizeof(SurfaceSlot) + shaders(c) * sizeof(uint32_t);
+    case kViewWorkload:
+      return scene + list_entries(c) * sizeof(uint32_t) +
+             workloads(c) * (sizeof(WorkloadCount) + sizeof(DispatchArgs) + sizeof(uint32_t));
+    case kViewWave:
+      return scene + (entries(c) + waves(c)) * sizeof(uint32_t) +
+             shown_rows(c) * (sizeof(CommandRow) + sizeof(DispatchArgs));
+    default:
+      return scene;
+  }
 }
 
-std::vector<Pass> with_workloads(Dispatch paint) {
-  return {std::move(paint),
-          Dispatch{.shader = "workload.comp", .indirect = "workload_args", .repeat = shown_workloads}};
+Cost cost(const Case& c) {
+  return {.bytes_read = pixels(c) * sizeof(uvec2) + bytes_of_view(c),
+          .bytes_written = pixels(c) * sizeof(uint32_t),
+          .operations = pixels(c) * 3};
+}
+
+// Of a variant's own shader for the views without a pass of their own: unless the view has one, `groups`.
+std::vector<Pass> passes(const char* shader, Groups (*groups)(const Case&)) {
+  return {
+      Dispatch{.shader = shader, .groups = [groups](const Case& c) { return has_own_pass(c) ? none() : groups(c); }},
+      Dispatch{.shader = "tile.comp", .groups = for_tiles}, Dispatch{.shader = "shader.comp", .groups = for_shaders},
+      Dispatch{.shader = "workload.comp", .indirect = "workload_args", .repeat = shown_workloads},
+      Dispatch{.shader = "wave.comp", .indirect = "command_args", .repeat = shown_rows}};
 }
 
 }  // namespace
@@ -39,31 +73,42 @@ Kernel describe() {
                 reads<uint32_t>("workload_tiles", list_entries, {"tile_classification.workload_tiles"}),
                 reads<WorkloadCount>("workload_counts", workloads, {"tile_classification.workload_counts"}),
                 reads<DispatchArgs>("workload_args", workloads, {"tile_classification.workload_args"}),
-                reads<uint32_t>("workload_colours", workloads), writes<uint32_t>("image", pixels)},
-      .variants = {{.name = "pixel",
-                    .passes = with_workloads({.shader = "pixel.comp", .groups = per_pixel}),
-                    .note = "a thread a pixel"},
+                reads<uint32_t>("workload_colours", workloads),
+                reads<SurfaceSlot>("surface_slots", shown_slots, {"scene.surface_slots"}),
+                reads<uint32_t>("shader_colours", shaders),
+                reads<uint32_t>("entries", entries, {"pixel_commands.entries"}),
+                reads<uint32_t>("commands", waves, {"pixel_commands.commands"}),
+                reads<CommandRow>("command_rows", shown_rows, {"pixel_commands.command_rows"}),
+                reads<DispatchArgs>("command_args", shown_rows, {"pixel_commands.args"}),
+                writes<uint32_t>("image", pixels)},
+      .variants = {{.name = "pixel", .passes = passes("pixel.comp", per_pixel), .note = "a thread a pixel"},
                    {.name = "run",
-                    .passes = with_workloads({.shader = "run.comp", .groups = per_run}),
+                    .passes = passes("run.comp", per_run),
                     .note = "a thread a run of pixels, looking up only what changed"}},
       .oracle = expected_image,
       .inputs = {.random = random_case, .branches = branches(), .hard = hard_cases(), .smaller = smaller},
       .bounds = {exact("image", "integers only, one owner a pixel and dispatch")},
       .mutants = {{"common.glsl", 1, "the instanced bit stays in the index", "flags"},
                   {"common.glsl", 2, "surfaces share their triangles' colours", "same_triangle_other_surface"},
-                  {"paint.glsl", 3, "partial tiles are not counted in a row", "odd_extent_tile"},
-                  {"paint.glsl", 4, "&& for || : borders are dots", "odd_extent_tile"},
-                  {"paint.glsl", 5, "<= for < : the chip is a pixel too large", "odd_extent_tile"},
-                  {"paint.glsl", 6, "the highest feature is not counted", "every_feature"},
+                  {"tile.comp", 3, "partial tiles are not counted in a row", "odd_extent_tile"},
+                  {"tile.comp", 4, "&& for || : borders are dots", "odd_extent_tile"},
+                  {"tile.comp", 5, "<= for < : the chip is a pixel too large", "odd_extent_tile"},
+                  {"tile.comp", 6, "the highest feature is not counted", "every_feature"},
                   {"pixel.comp", 7, "the last column is not on the screen", "odd_extent_material"},
                   {"run.comp", 8, "a run's colour is kept when only the triangle changes",
                    "same_surface_other_triangle"},
-                  {"run.comp", 9, "a run's colour is kept across the tile view's lines", "every_feature"},
+                  {"run.comp", 9, "a run's colour is kept when only the surface changes",
+                   "same_triangle_other_surface"},
                   {"workload.comp", 10, "<= for < : one stale entry is painted", "stale_entries"},
                   {"workload.comp", 11, "every workload runs over the first one's list", "lists_disjoint"},
                   {"workload.comp", 12, "a group leaves its tile after the first pixels", "few_groups_a_tile"},
                   {"workload.comp", 13, "columns beyond the right edge are painted", "last_column_only"},
-                  {"workload.comp", 14, "every workload in the first one's colour", "lists_disjoint"}},
+                  {"workload.comp", 14, "every workload in the first one's colour", "lists_disjoint"},
+                  {"shader.comp", 15, "the material's slot taken for the shader's", "slots"},
+                  {"shader.comp", 16, "> for >= : one slot too many", "slots"},
+                  {"wave.comp", 17, "columns beyond the right edge are painted", "waves_off_screen"},
+                  {"wave.comp", 18, "the rows' waves share their colours", "waves"},
+                  {"wave.comp", 19, "a colour a workgroup", "waves"}},
       .cost = cost,
       .typical = typical,
       .extents = {{256, 256}, {1280, 720}, {1920, 1080}, {3840, 2160}},

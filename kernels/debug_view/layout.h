@@ -3,6 +3,7 @@
 #define DEBUG_VIEW_LAYOUT_H
 #include "harness/formats/debug_view.h"
 #include "harness/formats/features.h"
+#include "harness/formats/pixel_commands.h"
 #include "harness/formats/scene.h"
 #include "harness/formats/visibility.h"
 #include "harness/formats/workloads.h"
@@ -16,6 +17,7 @@ struct ViewParams {
   uint surfaces;   // an index at or above it is shown as kBrokenColour
   uint materials;  // likewise
   uint workloads;  // rows of the tile workload table
+  uint shaders;    // visible shader classes; a slot at or above it is shown as kBrokenColour
 };
 
 SHARED_CONST uint kBackgroundColour = 0xff302820u;  // no surface: a dark blue grey
@@ -27,7 +29,7 @@ SHARED_CONST uint kChipFirst = 3u;
 SHARED_CONST uint kChipEnd = 9u;
 
 #ifdef __cplusplus
-SHARED_LAYOUT(ViewParams, width, height, view, surfaces, materials, workloads);
+SHARED_LAYOUT(ViewParams, width, height, view, surfaces, materials, workloads, shaders);
 #endif
 SHARED_END
 #endif

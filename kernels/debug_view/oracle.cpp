@@ -48,9 +48,14 @@ struct View {
   ViewParams params = c.params<ViewParams>();
   std::span<const uvec2> visibility = c.input<uvec2>("visibility");
   std::span<const SurfaceRecord> surfaces = c.input<SurfaceRecord>("surfaces");
-  std::span<const uint32_t> material_colours = c.input<uint32_t>("material_colours"),
-                            heat_colours = c.input<uint32_t>("heat_colours"), masks = c.input<uint32_t>("masks");
+  std::span<const uint32_t> material_colours = c.input<uint32_t>("material_colours");
+  std::span<const uint32_t> heat_colours = of_tiles("heat_colours"), masks = of_tiles("masks");
   uint32_t across = ceil_div(params.width, kTileSide);
+
+  // In the frame only the tile view has them.
+  std::span<const uint32_t> of_tiles(const char* port) const {
+    return params.view == kViewTile ? c.input<uint32_t>(port) : std::span<const uint32_t>();
+  }
 
   static bool nothing(uvec2 v) { return v.x == kVisibilityNone && v.y == kVisibilityNone; }
 
@@ -79,11 +84,21 @@ struct View {
     return over(grey(v), unpacked(heat_colours[static_cast<size_t>(std::popcount(mask))]), 1);
   }
 
+  Colour shader(uvec2 v) const {
+    if (nothing(v)) return unpacked(kBackgroundColour);
+    const auto slots = c.input<SurfaceSlot>("surface_slots");
+    const auto colours = c.input<uint32_t>("shader_colours");
+    const uint32_t surface = v.y % (1u << 30);
+    if (surface >= slots.size() || slots[surface].shader >= colours.size()) return unpacked(kBrokenColour);
+    return unpacked(colours[slots[surface].shader]);
+  }
+
   Colour at(uint32_t x, uint32_t y) const {
     const uvec2 v = visibility[size_t{y} * params.width + x];
     if (params.view == kViewTriangle) return triangle(v);
     if (params.view == kViewTile) return tile(x, y, v);
-    if (params.view == kViewWorkload) return over(grey(v), unpacked(kBackgroundColour), 1);
+    if (params.view == kViewShader) return shader(v);
+    if (params.view == kViewWorkload || params.view == kViewWave) return over(grey(v), unpacked(kBackgroundColour), 1);
     return material(v);
   }
 };
@@ -113,6 +128,24 @@ void paint_workload(const View& view, size_t row, std::vector<uint32_t>& image) 
   }
 }
 
+// Every wave of every row's list, in the colour of its row and number.
+void paint_waves(const View& view, std::vector<uint32_t>& image) {
+  const auto entries = view.c.input<uint32_t>("entries"), commands = view.c.input<uint32_t>("commands");
+  const auto rows = view.c.input<CommandRow>("command_rows");
+  for (uint32_t row = 0; row < rows.size(); ++row) {
+    const bool overflow = row % kCommandRows == kOverflowRow;
+    const uint32_t each = overflow ? 1 : 1u << row % kCommandRows % kCommandBuckets;
+    for (uint32_t wave = 0; wave < rows[row].count * each; ++wave) {
+      const uint32_t first = overflow ? rows[row].first + wave : commands[rows[row].first + wave / each] + wave % each;
+      for (const uint32_t entry : entries.subspan(size_t{first} * kWaveSize, kWaveSize)) {
+        const uint32_t x = entry % (1u << 14), y = entry / (1u << 14) % (1u << 14);
+        if (entry >= kEntryInvalid || x >= view.params.width || y >= view.params.height) continue;
+        image[size_t{y} * view.params.width + x] = packed(random_colour(murmur_last_step(row + 1) ^ wave));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 uint64_t tiles(const Case& c) { return tile_count(c.extent, kTileSide); }
@@ -125,6 +158,7 @@ Answer expected_image(const Case& c) {
     for (uint32_t x = 0; x < c.extent.width; ++x) image[size_t{y} * c.extent.width + x] = packed(view.at(x, y));
   if (view.params.view == kViewWorkload)
     for (size_t row = 0; row < workloads(c); ++row) paint_workload(view, row, image);
+  if (view.params.view == kViewWave) paint_waves(view, image);
   return {{"image", expect_all(image)}};
 }
 

@@ -1,42 +1,11 @@
-// The view of one pixel, all but what the workloads add.
+// The view of one pixel that no list or tile has a say in; under the workloads and waves, the scene dimmed.
 #include "kernels/debug_view/common.glsl"
 
-READS(4, uint, masks);
-READS(5, uint, heat_colours);
-
-// The scene shows through the heat of the tile's features; a square in the tile's corner tells sets of equal size apart.
-uint tile_colour(uvec2 pixel, uvec2 visible) {
-  const uint scene = greyed(material_colour(visible));
-#ifdef MUTANT_3
-  const uint mask = masks[pixel.y / kTileSide * (params.width / kTileSide) + pixel.x / kTileSide];
-#else
-  const uint mask = masks[tile_of_pixel(pixel, params.width)];
-#endif
-  const uvec2 at = pixel % kTileSide;
-#ifdef MUTANT_4
-  const bool border = at.x == 0u && at.y == 0u;
-#else
-  const bool border = at.x == 0u || at.y == 0u;
-#endif
-  if (border) return blended(scene, 0u, 1u);
-  if (mask == 0u) return blended(scene, kBackgroundColour, 1u);
-#ifdef MUTANT_5
-  if (all(greaterThanEqual(at, uvec2(kChipFirst))) && all(lessThanEqual(at, uvec2(kChipEnd)))) return hashed_colour(mask);
-#else
-  if (all(greaterThanEqual(at, uvec2(kChipFirst))) && all(lessThan(at, uvec2(kChipEnd)))) return hashed_colour(mask);
-#endif
-#ifdef MUTANT_6
-  return blended(scene, heat_colours[bitCount(mask & 0x7fffffffu)], 1u);
-#else
-  return blended(scene, heat_colours[bitCount(mask)], 1u);
-#endif
-}
-
-uint colour_of(uvec2 pixel, uvec2 visible) {
+uint colour_of(uvec2 visible) {
   switch (params.view) {
     case kViewTriangle: return triangle_colour(visible);
-    case kViewTile: return tile_colour(pixel, visible);
-    case kViewWorkload: return blended(greyed(material_colour(visible)), kBackgroundColour, 1u);
+    case kViewWorkload:
+    case kViewWave: return blended(greyed(material_colour(visible)), kBackgroundColour, 1u);
     default: return material_colour(visible);
   }
 }

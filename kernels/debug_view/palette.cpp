@@ -45,6 +45,12 @@ std::vector<uint32_t> heat_palette() {
   return colours;
 }
 
+std::vector<uint32_t> shader_palette(uint32_t count) {
+  std::vector<uint32_t> colours;
+  for (uint32_t i = 0; i < count; ++i) colours.push_back(from_hue(i / 8.0, i % 2 ? 0.45 : 0.75, i % 2 ? 0.95 : 0.75));
+  return colours;
+}
+
 uint32_t named_colour(const std::string& name) {
   if (name == "RED") return packed(0.9, 0.1, 0.1);
   if (name == "GREEN") return packed(0.1, 0.85, 0.15);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "harness/commands.h"
+#include "harness/groups.h"
 #include "kernels/debug_view/palette.h"
 
 namespace assay::debug_view {
@@ -27,10 +29,38 @@ List list_of(std::vector<uint32_t> tiles, uint32_t colour, uint32_t groups_per_t
   return {std::move(tiles), n, {groups_per_tile, n, n > 0}, colour};
 }
 
+WaveLists wave_lists(Extent extent, uint32_t shaders, std::span<const uvec2> pixels, Pcg32& rng) {
+  WaveLists w;
+  const auto room = static_cast<uint32_t>(command_waves(extent, shaders));
+  w.entries.assign(size_t{room} * kWaveSize, kEntryInvalid);
+  w.commands.assign(room, ~0u);
+  uint32_t used_waves = 0, used_commands = 0;
+  size_t next = 0;
+  const auto fill_wave = [&](uint32_t wave) {  // now and then no more than a part of it
+    const uint32_t most = rng.below(3) ? kWaveSize : 1 + rng.below(kWaveSize);
+    for (uint32_t i = 0; i < most && next < pixels.size(); ++i, ++next)
+      w.entries[size_t{wave} * kWaveSize + i] = pixels[next].y << kEntryCoordinateBits | pixels[next].x;
+  };
+  for (uint32_t row = 0; row < command_rows(shaders); ++row) {
+    const bool overflow = row % kCommandRows == kOverflowRow;
+    const uint32_t each = overflow ? 1 : 1u << row % kCommandRows % kCommandBuckets, wanted = rng.below(4);
+    CommandRow list = {overflow ? used_waves : used_commands, 0};
+    for (; list.count < wanted && next < pixels.size() && used_waves + each <= room; ++list.count) {
+      if (!overflow) w.commands[used_commands++] = used_waves;
+      for (uint32_t i = 0; i < each; ++i) fill_wave(used_waves++);
+    }
+    w.rows.push_back(list);
+    const Groups groups = spread_groups(ceil_div(list.count * each, kWavesPerGroup));
+    w.args.push_back({groups.x, groups.y, groups.z});
+  }
+  return w;
+}
+
 Case to_case(const Picture& p) {
   Case c = {.extent = p.extent};
   c.set_params(ViewParams{p.extent.width, p.extent.height, p.view, static_cast<uint32_t>(p.surface_materials.size()),
-                          static_cast<uint32_t>(p.material_colours.size()), static_cast<uint32_t>(p.lists.size())});
+                          static_cast<uint32_t>(p.material_colours.size()), static_cast<uint32_t>(p.lists.size()),
+                          static_cast<uint32_t>(p.shader_colours.size())});
   std::vector<SurfaceRecord> surfaces(p.surface_materials.size());
   for (size_t i = 0; i < surfaces.size(); ++i) surfaces[i].material = p.surface_materials[i];
   std::vector<uint32_t> tiles, colours;
@@ -53,6 +83,12 @@ Case to_case(const Picture& p) {
   c.set_input("workload_counts", counts);
   c.set_input("workload_args", args);
   c.set_input("workload_colours", colours);
+  c.set_input("surface_slots", p.slots);
+  c.set_input("shader_colours", p.shader_colours);
+  c.set_input("entries", p.waves.entries);
+  c.set_input("commands", p.waves.commands);
+  c.set_input("command_rows", p.waves.rows);
+  c.set_input("command_args", p.waves.args);
   return c;
 }
 

@@ -12,6 +12,12 @@ struct List {  // of a workload
   uint32_t colour = 0;
 };
 
+struct WaveLists {  // as pixel commands leave them
+  std::vector<uint32_t> entries = {}, commands = {};
+  std::vector<CommandRow> rows = {};
+  std::vector<DispatchArgs> args = {};
+};
+
 struct Picture {
   Extent extent = {};
   uint32_t view = kViewMaterial;
@@ -20,6 +26,9 @@ struct Picture {
   std::vector<uint32_t> material_colours = {};
   std::vector<uint32_t> masks = {};
   std::vector<List> lists = {};
+  std::vector<SurfaceSlot> slots = {};  // of the surfaces; of the shader view alone
+  std::vector<uint32_t> shader_colours = {};
+  WaveLists waves = {};  // of the wave view alone
 
   uvec2& at(uint32_t x, uint32_t y) { return visibility[size_t{y} * extent.width + x]; }
   uint32_t tile_total() const { return static_cast<uint32_t>(tile_count(extent, kTileSide)); }
@@ -31,6 +40,8 @@ Picture empty_picture(Extent, uint32_t view, uint32_t surfaces, uint32_t materia
 Picture busy_picture(Extent, uint32_t view);
 // The list as classification would write it.
 List list_of(std::vector<uint32_t> tiles, uint32_t colour, uint32_t groups_per_tile = 32);
+// The pixels, each once, dealt out to rows of `shaders` slots: waves of all buckets, filled in part, and an overflow.
+WaveLists wave_lists(Extent, uint32_t shaders, std::span<const uvec2> pixels, Pcg32&);
 Case to_case(const Picture&);
 
 }  // namespace assay::debug_view

@@ -11,5 +11,5 @@ void main() {
 #else
   if (!on_screen(pixel, uvec2(params.width, params.height))) return;
 #endif
-  image[pixel.y * params.width + pixel.x] = colour_of(pixel, visible_at(pixel));
+  image[pixel.y * params.width + pixel.x] = colour_of(visible_at(pixel));
 }

@@ -11,17 +11,17 @@ void main() {
   if (!on_screen(uvec2(first, y), uvec2(params.width, params.height))) return;
   const uint end = min(first + kRunPixels, params.width);
   uvec2 before = visible_at(uvec2(first, y));
-  uint colour = colour_of(uvec2(first, y), before);
+  uint colour = colour_of(before);
   for (uint x = first; x < end; ++x) {
     const uvec2 visible = visible_at(uvec2(x, y));
-#ifdef MUTANT_8
-    if (visible.y != before.y || params.view == kViewTile) {
+#if defined(MUTANT_8)
+    if (visible.y != before.y) {
 #elif defined(MUTANT_9)
-    if (visible != before) {
+    if (visible.x != before.x) {
 #else
-    if (visible != before || params.view == kViewTile) {
+    if (visible != before) {
 #endif
-      colour = colour_of(uvec2(x, y), visible);
+      colour = colour_of(visible);
       before = visible;
     }
     image[y * params.width + x] = colour;

@@ -17,20 +17,20 @@ void main() {
   const uint at_once = max(width / 64u, 1u);  // tiles
   for (uint tile = first_tile + gl_SubgroupID * at_once; tile < end; tile += gl_NumSubgroups * at_once) {
     uvec4 mask = uvec4(0u);
-#ifdef MUTANT_10  // the lower half of the tile is left out
-    for (uint bit = 0u; bit < 32u; bit += width) {
-#else
     for (uint bit = 0u; bit < 64u; bit += width) {
-#endif
       const uint mine = tile + (bit + lane) / 64u;
-      const uvec4 votes = subgroupBallot(mine < end && is_edge(mine, (bit + lane) % 64u));
-#ifdef MUTANT_11  // votes of later turns land on the first turn's bits
-      if (width <= 32u) mask[bit / 32u] |= votes.x;
+      const uint pixel = (bit + lane) % 64u;
+#ifdef MUTANT_10  // the lower half of the tile is left out
+      const uvec4 votes = subgroupBallot(mine < end && pixel < 32u && is_edge(mine, pixel));
 #else
-      if (width <= 32u) mask[bit / 32u] |= votes.x << bit % 32u;
+      const uvec4 votes = subgroupBallot(mine < end && is_edge(mine, pixel));
 #endif
+      if (width <= 32u) mask[bit / 32u] |= votes.x << bit % 32u;
       else mask = votes;
     }
+#ifdef MUTANT_11  // the lower half's votes land on the upper half's bits
+    mask = uvec4(mask.x | mask.y, 0u, mask.z | mask.w, 0u);
+#endif
     if (lane < at_once && tile + lane < end) edge_mask[tile + lane] = lane == 0u ? mask.xy : mask.zw;
   }
 }

@@ -13,21 +13,6 @@ uvec2 extent() { return uvec2(params.width, params.height); }
 uint shader_slots() { return min(params.shaders, kMaxShaders); }
 uint wave_log2() { return clamp(params.wave_log2, kSmallestWaveLog2, kLargestWaveLog2); }
 uint wave_size() { return 1u << wave_log2(); }
+uint waves_per_group_log2() { return min(params.waves_per_group_log2, kCommandBuckets - 1u); }
 uint capacity() { return params.waves << wave_log2(); }  // entries
 uint waves_of(uint pixels) { return (pixels + wave_size() - 1u) >> wave_log2(); }
-
-uint saturating_sum(uint a, uint b) {
-  const uint sum = a + b;
-#ifdef MUTANT_1  // wraps: a list over 2^32 looks empty
-  return sum;
-#else
-  return sum < a ? 0xffffffffu : sum;
-#endif
-}
-// Entries that fill up `waves` waves of `pixels` pixels.
-uint padding_of(uint waves, uint pixels) {
-  uint high, low, borrow;
-  umulExtended(waves, wave_size(), high, low);
-  low = usubBorrow(low, pixels, borrow);
-  return high != borrow ? 0xffffffffu : low;
-}

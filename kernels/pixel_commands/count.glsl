@@ -1,7 +1,16 @@
+// A group a tile: the pixels and waves of each shader in it. Scans and offsets come later.
+#include "kernels/pixel_commands/common.glsl"
+#include "kernels/pixel_commands/pixels.glsl"
+#include "kernels/pixel_commands/slots.glsl"
+#include "kernels/pixel_commands/table.glsl"
+#include "kernels/pixel_commands/match.glsl"
+#include "kernels/pixel_commands/groups.glsl"
+
 WRITES(3, TileCommands, tiles);
 
-void count_tile(uint tile) {
+void main() {
   const uint all = tile_count(extent());
+  const uint tile = spread_group();
   if (tile >= all) return;  // the whole group
   clear_groups();
   clear_table();

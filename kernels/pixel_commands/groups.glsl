@@ -33,11 +33,7 @@ uint group_of(uint i) {
     const uint count = pixels_at[used_slots[j]];
     pixels += count;
     ++surfaces;
-#ifdef MUTANT_9  // a surface's place counts its own pixels
-    if (j <= i) before += count;
-#else
     if (j < i) before += count;
-#endif
     if (j < i) leader = false;
   }
 #ifdef MUTANT_10  // several surfaces pass for one

@@ -108,6 +108,11 @@ std::vector<HardCase> materials() {
        [] {
          return to_case(all_apart({64, 32}, 1, 2, [](uint) { return SurfaceSlot{0, 1}; }));
        }},
+      {"twenty_surfaces", "every subgroup has pixels of surfaces that several others place",
+       [] {
+         return to_case(
+             drawn(of_materials({64, 32}, 20, 10), [](uint32_t x, uint32_t y) { return (x * 7 + y * 3) % 20; }));
+       }},
       {"materials_4096", "one shader of 4096 materials, a hundred in each tile, in no order",
        [] {
          return to_case(drawn(of_materials({160, 96}, 4096, 4096), [](uint32_t x, uint32_t y) {
@@ -320,29 +325,40 @@ std::vector<HardCase> hard_cases() {
 
 std::vector<Mutant> mutants() {
   return {
-      {"common.glsl", 1, "sums wrap: a list over 2^32 looks empty", "sum_past_2_32"},
-      {"pixels.glsl", 2, "a surface of all ones is nothing, whatever the triangle", "all_ones_surface"},
+      {"sums.glsl", 1, "sums wrap: a list over 2^32 looks empty", "sum_past_2_32"},
+      {"pixels.glsl", 2, "a triangle of all ones is taken for nothing", "all_ones_surface"},
       {"pixels.glsl", 3, "the flags stay in the index", "flags"},
       {"pixels.glsl", 4, "the last surface is out of range", "last_surface"},
-      {"pixels.glsl", 5, "an unregistered material is taken for the last", "unregistered_material"},
-      {"table.glsl", 6, "a slot is taken without an atomic", "every_pixel_another_surface"},
-      {"table.glsl", 8, "the atomic of a surface's count is lost", "one_material"},
-      {"groups.glsl", 9, "a surface's place counts its own pixels", "two_surfaces"},
+      {"slots.glsl", 5, "an unregistered material is taken for the last", "unregistered_material"},
+      {"slot_of.glsl", 6, "a slot of another surface will do", "hash_collisions"},
+      {"match_runs.glsl", 8, "the atomic of a surface's count is lost", "one_material"},
+      {"match_lanes.glsl", 7, "the lanes of a surface share one place", "one_material"},
+      {"within.glsl", 9, "a surface's place counts its own pixels", "two_surfaces"},
       {"groups.glsl", 10, "several surfaces pass for one", "two_surfaces"},
       {"groups.glsl", 11, "the barrier before the keys is dropped", "high_lanes"},
       {"groups.glsl", 12, "waves are rounded down", "wave_boundaries"},
       {"scan.comp", 13, "the barrier of the scan is dropped", "tiles_1536"},
-      {"scan.comp", 14, "divergent waves do not count", "two_surfaces"},
+      {"scan.glsl", 14, "divergent waves do not count", "two_surfaces"},
       {"room.glsl", 15, "groups of small commands are rounded down", "odd_commands"},
       {"room.glsl", 16, "a tile's own padding is not looked at", "half_padded"},
       {"room.glsl", 17, "the last wave of an overflow is not filled up", "unpadded_shaders"},
-      {"scatter.glsl", 18, "uniform and divergent waves are mixed", "uniform_after_divergent"},
-      {"scatter.glsl", 19, "the pixels of padded tiles leave a hole in the overflow", "half_padded"},
-      {"scatter.glsl", 20, "the barrier before the pixels is dropped", "every_pixel_another_surface"},
-      {"scatter.glsl", 21, "a full last wave is followed by one of padding", "one_material"},
+      {"place.glsl", 18, "uniform and divergent waves are mixed", "uniform_after_divergent"},
+      {"place.glsl", 19, "the pixels of padded tiles leave a hole in the overflow", "half_padded"},
+      {"write_runs.glsl", 20, "the barrier before the pixels is dropped", "twenty_surfaces"},
+      {"place.glsl", 21, "a full last wave is followed by one of padding", "one_material"},
       {"commands.glsl", 22, "every command takes its row's first place", "one_material"},
       {"commands.glsl", 23, "the commands of a tile start where the first did", "all_digits"},
-      {"scatter.glsl", 24, "a tile is written where its first pixel finds room", "pixels_lost"},
+      {"place.glsl", 24, "a tile is written where its first pixel finds room", "pixels_lost"},
+      {"write_stable.glsl", 26, "a run looks at those of its thread alone", "one_material"},
+      {"commands_stable.comp", 27, "the barrier before the sum is dropped", "tiles_1536"},
+      {"global_pixels.glsl", 28, "a slot in global memory is taken without an atomic", "hash_collisions"},
+      {"global_count.glsl", 29, "the atomic of a pixel is lost", "one_material"},
+      {"write_lanes.glsl", 33, "the barrier before the pixels is dropped", "twenty_surfaces"},
+      {"global_place.comp", 34, "the barrier before the waves is dropped", "twenty_surfaces"},
+      {"count_chained.glsl", 35, "a chained sum leaves out what is before", "one_material"},
+      {"place.glsl", 32, "the overflow's waves are dispatched by tile too", "half_padded"},
+      {"sort_scatter.glsl", 30, "the barrier after the scan of a block is dropped", "twenty_surfaces"},
+      {"sort_scan.comp", 31, "a block's own pairs are before it", "twenty_surfaces"},
       {"digits.glsl", 25, "what is beyond the last bucket is one command", "small_waves"},
   };
 }

@@ -205,7 +205,6 @@ Case frame(const FrameInputs& f) {
   s.params.surfaces = f.scene.surfaces;
   s.params.waves = static_cast<uint>(command_waves(f.extent, f.scene.visible_shaders));
   c.set_params(s.params);
-  c.set_input("copy_bits", std::vector<uint8_t>{0});
   return c;
 }
 

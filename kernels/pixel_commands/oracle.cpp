@@ -187,6 +187,37 @@ void lay_out_rows(const Sorted& l, Lists& to, Answer& answer) {
   answer["args"] = expect_all(args);
 }
 
+// Uniform waves, then divergent ones, of each shader and tile; none of those in the overflow.
+std::vector<DispatchArgs> tile_args_of(const Sorted& l, const Lists& lists) {
+  const uint64_t waves_a_group = uint64_t{1} << std::min(l.params.waves_per_group_log2, 5u);
+  std::vector<DispatchArgs> args;
+  for (size_t s = 0; s < l.shaders; ++s)
+    for (size_t t = 0; t < l.tiles; ++t) {
+      const TileSums& tile = l.sums[s * l.tiles + t];
+      for (const uint64_t waves : {tile.uniform_waves, tile.divergent_waves}) {
+        const uint64_t padded = t < lists.shaders[s].padded_tiles ? waves : 0;
+        args.push_back({static_cast<uint>((padded + waves_a_group - 1) / waves_a_group), 1, 1});
+      }
+    }
+  return args;
+}
+
+// The baseline's answer: pixels by shader, tile and material, in scan order; then an invalid entry for each of the
+// rest.
+std::vector<uint> sorted_pixels(const Sorted& l) {
+  std::vector<uint> sorted;
+  for (const TileSums& tile : l.sums) {
+    std::vector<Group> groups(tile.groups.begin(), tile.groups.end());
+    std::ranges::sort(groups, {}, &Group::material);
+    for (const Group& g : groups) {
+      const auto from = l.grouped.entries.begin() + static_cast<std::ptrdiff_t>(g.first);
+      sorted.insert(sorted.end(), from, from + static_cast<std::ptrdiff_t>(g.pixels));
+    }
+  }
+  sorted.resize(pixels(l.input), 1u << 31);
+  return sorted;
+}
+
 template <class T>
 Expected in_runs(const std::vector<T>& elements, std::vector<Expected::Run> runs) {
   Expected expected = expect_all(elements);
@@ -225,6 +256,8 @@ Answer list_pixels(const Case& c) {
   answer["wave_materials"] = in_runs(lists.wave_materials, waves);
   answer["shaders"] = expect_all(lists.shaders);
   answer["tiles"] = expect_all(lists.tiles);
+  answer["tile_args"] = expect_all(tile_args_of(l, lists));
+  answer["sorted"] = expect_all(sorted_pixels(l));
   answer["status"] = expect_all(std::vector{status});
   return answer;
 }

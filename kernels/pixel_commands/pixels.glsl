@@ -1,16 +1,18 @@
-// The surface of a pixel, and the (shader, material) that it has.
+// The surface of a pixel, and the pixel as an entry.
 layout(binding = 0) uniform utexture2D visibility;
-READS(1, SurfaceSlot, surface_slots);
+#ifdef COPY_BITS  // passes of their own: only they bind the image, and only they run where there is one
 layout(binding = 2) uniform utexture2D copy_bits;
-
-uint copy_bits_of(uvec2 pixel) { return params.copies != 0u ? texelFetch(copy_bits, ivec2(pixel), 0).x : 0u; }
+uint copy_bits_of(uvec2 pixel) { return texelFetch(copy_bits, ivec2(pixel), 0).x; }
+#else
+uint copy_bits_of(uvec2 pixel) { return 0u; }
+#endif
 
 uint surface_of_pixel(uvec2 pixel) {
   if (!on_screen(pixel, extent())) return kNoSurface;
   if ((copy_bits_of(pixel) & kCopyDuplicate) != 0u) return kNoSurface;
   const uvec2 seen = texelFetch(visibility, ivec2(pixel), 0).xy;
-#ifdef MUTANT_2  // the last surface index is taken for none at all, whatever the triangle
-  if ((seen.y & kVisibilitySurfaceMask) == kVisibilitySurfaceMask) return kNoSurface;
+#ifdef MUTANT_2  // a triangle of all ones is taken for nothing
+  if (seen.x == kVisibilityNone) return kNoSurface;
 #else
   if (seen == uvec2(kVisibilityNone)) return kNoSurface;
 #endif
@@ -23,23 +25,6 @@ uint surface_of_pixel(uvec2 pixel) {
   return surface + 1u < params.surfaces ? surface : kWrongSurface;
 #else
   return surface < params.surfaces ? surface : kWrongSurface;
-#endif
-}
-
-const uint kMaterialBits = 12u;  // kMaxMaterials
-uint shader_of(uint key) { return key >> kMaterialBits; }
-uint material_of(uint key) { return key & (kMaxMaterials - 1u); }
-
-// Ascending with the shader, then the material.
-uint key_of(uint surface) {
-  if (surface == kWrongSurface) return kUnlisted;
-  const SurfaceSlot slot = surface_slots[surface];
-#ifdef MUTANT_5  // a material that is not registered is taken for the last one
-  if (slot.shader >= shader_slots()) return kUnlisted;
-  return slot.shader << kMaterialBits | min(slot.material, min(params.materials, kMaxMaterials) - 1u);
-#else
-  const bool listed = slot.shader < shader_slots() && slot.material < min(params.materials, kMaxMaterials);
-  return listed ? slot.shader << kMaterialBits | slot.material : kUnlisted;
 #endif
 }
 

@@ -1,6 +1,8 @@
 // Which tiles' groups are padded: tiles are taken in order, shader by shader, while the padding so far leaves room for
 // all pixels unpadded. So no pixel is lost where the capacity holds them all unpadded, and what is padded is a prefix.
 
+#include "kernels/pixel_commands/sums.glsl"
+
 shared uint pixels_of[kMaxShaders];
 shared uint waves_wanted[kMaxShaders];  // were all of it padded
 shared uint padded_tiles_of[kMaxShaders];
@@ -61,7 +63,7 @@ void cut_tiles(uint thread) {
 #endif
     if (!fits(saturating_sum(before, padding))) break;  // and none after it
     ++fitting;
-    add_digits(tile.waves);
+    add_digits(cut_shader, tile.waves);
   }
   if (fitting > 0u) atomicAdd(cut, fitting);
   barrier();
@@ -93,8 +95,6 @@ void find_room(uint thread) {
   }
   barrier();
 }
-
-uint waves_per_group_log2() { return min(params.waves_per_group_log2, kCommandBuckets - 1u); }
 
 // `count` commands of 2^k waves: x covers a command, or several commands share a group; y and z hold them.
 DispatchArgs args_of(uint count, uint k) {

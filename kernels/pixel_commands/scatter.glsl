@@ -1,145 +1,27 @@
-// Where a tile's groups lie in the lists, and writing them.
-READS(3, TileCommands, tiles);
-READS(4, ShaderCommands, shaders);
-WRITES(6, uint, entries);
-WRITES(8, WaveMaterial, wave_materials);
-UPDATES(9, CommandStatus, status);
-#include "kernels/pixel_commands/commands.glsl"
-
-const uint kNowhere = 0xffffffffu;
-
-shared uint group_wave[kTilePixels];  // a used slot: first wave of its group; kNowhere unless it is padded
-shared uint place_at[kTilePixels];    // a slot: entry of its first pixel; kNowhere where there is no room
-
-struct Before {  // of the groups of the same shader in the same tile
-  uint waves, pixels;
-};
-
-// Uniform groups before divergent ones, each ascending by material.
-bool comes_before(uint j, uint i) {
-  const uint divergent_j = group_at[j] & kGroupDivergent, divergent_i = group_at[i] & kGroupDivergent;
-#ifdef MUTANT_18  // by material alone: uniform and divergent waves mixed
-  return key_at[j] < key_at[i];
+// A group a tile: counts it again, as the count did, and writes its entries. The tiles are walked backwards, so that what
+// the count read last, and the cache may still hold, is read first.
+#include "kernels/pixel_commands/common.glsl"
+#include "kernels/pixel_commands/pixels.glsl"
+#include "kernels/pixel_commands/slots.glsl"
+#include "kernels/pixel_commands/table.glsl"
+#include "kernels/pixel_commands/match.glsl"
+#include "kernels/pixel_commands/place.glsl"
+#if defined(STABLE)
+#include "kernels/pixel_commands/write_stable.glsl"
+#elif defined(MATCH_LANES)
+#include "kernels/pixel_commands/write_lanes.glsl"
 #else
-  return divergent_j != divergent_i ? divergent_j < divergent_i : key_at[j] < key_at[i];
+#include "kernels/pixel_commands/write_runs.glsl"
 #endif
-}
 
-Before groups_before(uint i) {
-  Before before = Before(0u, 0u);
-  for (uint j = 0u; j < used; ++j) {
-    const uint group = group_at[j];
-    if ((group & kGroupLeader) == 0u || key_at[j] == kUnlisted || shader_of(key_at[j]) != shader_of(key_at[i]))
-      continue;
-    if (!comes_before(j, i)) continue;
-    before.waves += waves_of(group_pixels(group));
-    before.pixels += group_pixels(group);
-  }
-  return before;
-}
-
-// The tile's share of the shader's overflow: pixels of it that come before.
-uint overflow_before(uint shader, uint tile) {
-  const uint all = tile_count(extent());
-#ifdef MUTANT_19  // the pixels of the padded tiles leave a hole
-  return tiles[shader * all + tile].pixels_before;
-#else
-  return tiles[shader * all + tile].pixels_before - tiles[shader * all + shaders[shader].padded_tiles].pixels_before;
-#endif
-}
-// Entries from where the shader's overflow begins to the end of the lists.
-uint overflow_room(uint shader) {
-  return params.waves - min(shaders[shader].overflow_first, params.waves) << wave_log2();
-}
-// The share is written whole or not at all.
-bool has_room(uint shader, uint tile) {
-#ifdef MUTANT_24  // it is enough that its first pixel finds room
-  return overflow_before(shader, tile) < overflow_room(shader);
-#endif
-  return overflow_before(shader, tile) + shader_pixels[shader] <= overflow_room(shader);
-}
-uint overflow_entry(uint shader, uint tile) {
-  return (shaders[shader].overflow_first << wave_log2()) + overflow_before(shader, tile);
-}
-
-void place_group(uint i, uint tile) {
-  const uint key = key_at[i], slot = used_slots[i];
-  group_wave[i] = kNowhere;
-  place_at[slot] = kNowhere;
-  if (key == kUnlisted) {
-    atomicAdd(status[0].unlisted, pixels_at[slot]);
-    return;
-  }
-  const uint shader = shader_of(key);
-  const Before before = groups_before(i);
-  const uint within = group_at[i] & kTilePixels - 1u;
-  if (tile < shaders[shader].padded_tiles) {
-    const uint at = shader * tile_count(extent()) + tile;
-    group_wave[i] = shaders[shader].first + tiles[at].waves_before + before.waves;
-    place_at[slot] = (group_wave[i] << wave_log2()) + within;
-  } else if (has_room(shader, tile)) {
-    place_at[slot] = overflow_entry(shader, tile) + before.pixels + within;
-  }
-}
-
-// False where there is no such tile: the whole group is turned away.
-bool arrange_tile(uint tile) {
-  if (tile >= tile_count(extent())) return false;
+void main() {
+  const uint tile = tile_count(extent()) - 1u - spread_group();
+  if (tile >= tile_count(extent())) return;  // the whole group: past the end it wraps
   clear_groups();
   clear_table();
   count_pixels(tile);
-  group_surfaces();
-  for (uint i = gl_LocalInvocationID.x; i < used; i += THREADS) place_group(i, tile);
-#ifndef MUTANT_20  // the barrier dropped: pixels go where slots of higher subgroups have yet to point
-  barrier();
-#endif
-  return true;
-}
-
-void write_pixels(uint tile) {
-  for (uint i = 0u; i < kPixelsPerThread; ++i) {
-    if (placed[i] == kFree) continue;
-    const uint first = place_at[placed[i] >> kSlotBits];
-    if (first == kNowhere) continue;
-    const uint entry = first + (placed[i] & kTilePixels - 1u);
-    entries[entry] = entry_of(pixel_of_tile(tile, pixel_of_thread(i), params.width));
-  }
-}
-
-// Fills the last wave of each group up, and says which material its waves have. A wave's lanes each, side by side.
-void write_waves(uint tile) {
-  for (uint work = gl_LocalInvocationID.x; work < used << wave_log2(); work += THREADS) {
-    const uint i = work >> wave_log2(), lane = work & wave_size() - 1u;
-    const uint group = group_at[i], first = group_wave[i];
-    if (first == kNowhere || (group & kGroupLeader) == 0u) continue;
-    const uint pixels = group_pixels(group), waves = waves_of(pixels);
-#ifdef MUTANT_21  // a full last wave is followed by one of padding
-    const uint end = (pixels >> wave_log2()) + 1u << wave_log2();
-#else
-    const uint end = waves << wave_log2();
-#endif
-    if (pixels + lane < end) entries[(first << wave_log2()) + pixels + lane] = kEntryInvalid;
-    for (uint w = lane; w < waves; w += wave_size())
-      wave_materials[first + w] = WaveMaterial(material_of(key_at[i]), first);
-  }
-}
-
-// What remains of the room where a tile's overflow found too little: consumers read it.
-void fill_rest(uint shader, uint tile) {
-  atomicAdd(status[0].lost, shader_pixels[shader]);
-  for (uint i = overflow_before(shader, tile); i < overflow_room(shader); ++i)
-    entries[(shaders[shader].overflow_first << wave_log2()) + i] = kEntryInvalid;
-}
-
-void write_commands(uint tile) {
-  for (uint s = gl_LocalInvocationID.x; s < shader_slots(); s += THREADS) {
-    if (shader_pixels[s] == 0u) continue;
-    if (tile < shaders[s].padded_tiles) {
-      const uint first = shaders[s].first + tiles[s * tile_count(extent()) + tile].waves_before;
-      command_waves(s, kUniformLists, first, shader_waves[s] & 0xffffu);
-      command_waves(s, kDivergentLists, first + (shader_waves[s] & 0xffffu), shader_waves[s] >> 16u);
-    } else if (!has_room(s, tile)) {
-      fill_rest(s, tile);
-    }
-  }
+  place_groups(tile);
+  write_pixels(tile);
+  write_waves(tile);
+  write_commands(tile);
 }

@@ -43,7 +43,7 @@ void main() {
 #else
   pairs[i] = pair;
 #endif
-#ifdef STRAY
+#if defined(STRAY) || defined(MUTANT_4)
   if (marked) pairs[params.count] = pair;  // the first element behind the payload
 #endif
 #ifdef TOUCHED

@@ -1,21 +1,13 @@
 // Copies pairs: through a direct dispatch, through indirect ones a row, and past the end of its buffer.
 #include "harness/kernel.h"
 #include "tests/planted/device_copy/layout.h"
+#include "tests/planted/ports.h"
 
 namespace assay::device_copy {
 
 namespace {
 uint64_t count(const Case& c) { return c.params<CopyParams>().count; }
 Groups groups(const Case& c) { return {ceil_div(c.params<CopyParams>().count, 64)}; }
-Port only(Port p, std::vector<std::string> variants) {
-  p.only_in = std::move(variants);
-  return p;
-}
-Port stored() {
-  Port p = writes_image("stored", Format::rgb9e5_float);
-  p.view = Format::r32_uint;
-  return p;
-}
 }  // namespace
 
 Kernel describe();
@@ -28,10 +20,10 @@ Kernel describe() {
       .source = "a test of harness/device",
       .default_variant = "direct",
       .params = layout_of<CopyParams>(),
-      .ports = {only(reads<Pair>("pairs", count), {"direct", "empty", "huge"}),
-                only(writes<Pair>("copies", count), {"direct", "empty", "huge", "stray"}),
-                only(reads<DispatchArgs>("arguments", fixed(3)), {"rows"}),
-                only(writes<uint32_t>("rows", fixed(16)), {"rows"}), only(stored(), {"image"})},
+      .ports = {only_in(reads<Pair>("pairs", count), {"direct", "empty", "huge"}),
+                only_in(writes<Pair>("copies", count), {"direct", "empty", "huge", "stray"}),
+                only_in(reads<DispatchArgs>("arguments", fixed(3)), {"rows"}),
+                only_in(writes<uint32_t>("rows", fixed(16)), {"rows"}), only_in(stored_as_words("stored"), {"image"})},
       .variants = {{.name = "direct",
                     .passes = {Dispatch{.shader = "copy.comp", .groups = groups}},
                     .constants = {{"GROUP", {64, 32}}, {"SCALE", {1, 3}}}},

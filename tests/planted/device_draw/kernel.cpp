@@ -2,14 +2,11 @@
 #include "harness/kernel.h"
 
 #include "tests/planted/device_draw/layout.h"
+#include "tests/planted/ports.h"
 
 namespace assay::device_draw {
 
 namespace {
-Port only(Port p, std::vector<std::string> variants) {
-  p.only_in = std::move(variants);
-  return p;
-}
 uint64_t first(const Case& c) { return c.params<DrawParams>().first; }
 uint64_t count(const Case& c) { return c.params<DrawParams>().count; }
 uint64_t most(const Case& c) { return c.params<DrawParams>().most; }
@@ -71,13 +68,13 @@ Kernel describe() {
       .default_variant = "both",
       .params = layout_of<DrawParams>(),
       .ports = {reads<glm::vec3>("positions", size_of("positions", 12)),
-                only(reads<uint32_t>("indices", size_of("indices", 4)), indexed),
-                only(reads<DrawCommand>("commands", size_of("commands", 20)), commanded),
-                only(reads<uint32_t>("limit", fixed(1)), {"counted"}),
-                only(updates<uint32_t>("fragments", fixed(1)), faces),
-                only(writes_image("colour", Format::r32_uint), faces),
-                only(writes_image("depth", Format::d32_float), faces),
-                only(writes_image("light", Format::rgba16_float), {"over", "add"})},
+                only_in(reads<uint32_t>("indices", size_of("indices", 4)), indexed),
+                only_in(reads<DrawCommand>("commands", size_of("commands", 20)), commanded),
+                only_in(reads<uint32_t>("limit", fixed(1)), {"counted"}),
+                only_in(updates<uint32_t>("fragments", fixed(1)), faces),
+                only_in(writes_image("colour", Format::r32_uint), faces),
+                only_in(writes_image("depth", Format::d32_float), faces),
+                only_in(writes_image("light", Format::rgba16_float), {"over", "add"})},
       .variants = {{.name = "both", .passes = {draw({})}},
                    {.name = "back", .passes = {draw({.cull = Cull::back})}},
                    {.name = "front", .passes = {draw({.cull = Cull::front})}},

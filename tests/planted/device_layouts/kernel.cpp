@@ -2,17 +2,13 @@
 #include "harness/kernel.h"
 
 #include "tests/planted/device_layouts/layout.h"
+#include "tests/planted/ports.h"
 
 namespace assay::device_layouts {
 
 namespace {
 Variant variant(const std::string& name) {
   return {.name = name, .passes = {Dispatch{.shader = name + ".comp", .groups = [](const Case&) { return Groups{}; }}}};
-}
-Port stored() {
-  Port p = writes_image("stored", Format::rgb9e5_float);
-  p.view = Format::r32_uint;
-  return p;
 }
 }  // namespace
 
@@ -24,7 +20,8 @@ Kernel describe() {
       .default_variant = "right",
       .params = layout_of<LayoutParams>(),
       .ports = {reads<Item>("items", fixed(4)), reads<uint32_t>("words", fixed(64)),
-                writes<uint32_t>("results", fixed(4)), reads_image("picture", Format::rg32_uint), stored()},
+                writes<uint32_t>("results", fixed(4)), reads_image("picture", Format::rg32_uint),
+                stored_as_words("stored")},
   };
   for (const char* name : {"right", "stride", "swapped", "renamed", "params", "read_only", "written", "float_texels",
                            "image_format", "array_length", "missing_member", "std430", "constant", "unused"})

@@ -1,0 +1,4 @@
+#version 460
+#include "kernels/attribute_interpolation/common.glsl"
+#include "kernels/attribute_interpolation/double_float.glsl"
+#include "kernels/attribute_interpolation/store_floats.glsl"

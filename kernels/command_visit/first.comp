@@ -1,0 +1,3 @@
+#version 460
+#define SLOT 0u
+#include "kernels/command_visit/visit.glsl"

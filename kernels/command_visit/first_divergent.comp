@@ -1,0 +1,4 @@
+#version 460
+#define SLOT 0u
+#define EARLY_OUT kDivergentLists
+#include "kernels/command_visit/visit.glsl"

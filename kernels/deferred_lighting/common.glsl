@@ -1,0 +1,84 @@
+// What every variant binds, and all of a pixel but its loop over the lights.
+#define GBUFFER_READS 1
+#include "harness/glsl/gbuffer.glsl"
+#include "harness/glsl/lighting.glsl"
+#include "harness/glsl/ports.glsl"
+#include "kernels/deferred_lighting/layout.h"
+
+layout(binding = 0) uniform texture2D depth;
+READS(5, uint, features);
+READS(6, LightRecord, lights);
+layout(binding = 7, rgba16f) uniform writeonly restrict image2D radiance;
+PARAMS(LightingParams);
+
+// Reversed depth: the farther, the nearer to 0; 0 is no surface, as are NaN and what is below every float's precision.
+const float kLeastDepth = 1e-30;
+
+bool on_screen(uvec2 pixel) {
+#ifdef MUTANT_1
+  return pixel.x + 1u < params.width && pixel.y < params.height;
+#else
+  return pixel.x < params.width && pixel.y < params.height;
+#endif
+}
+
+uint light_count() { return min(params.lights, kMostLights); }
+
+// The depth of a pixel that has a surface on the screen, else 0.
+float depth_at(uvec2 pixel) {
+  if (!on_screen(pixel)) return 0.0;
+  const float d = texelFetch(depth, ivec2(pixel), 0).r;
+  return d > kLeastDepth && is_finite(d) ? d : 0.0;
+}
+
+// To the view plane at distance 1, through the pixel's centre.
+vec3 ray_of(uvec2 pixel) {
+#ifdef MUTANT_2  // its corner
+  const vec2 at = vec2(pixel);
+#else
+  const vec2 at = vec2(pixel) + 0.5;
+#endif
+  return params.rays.corner + params.rays.across * at.x + params.rays.down * at.y;
+}
+
+vec3 position_of(uvec2 pixel, float d) {
+#ifdef MUTANT_3  // depth taken for distance
+  return ray_of(pixel) * d;
+#else
+  return ray_of(pixel) * (params.near_plane / d);
+#endif
+}
+
+struct Lit {
+  Surface surface;
+  vec3 radiance;  // so far: ambient light and emission
+};
+
+// The direction to the eye comes from the ray alone: its precision does not depend on the depth's.
+Lit start(uvec2 pixel, float d) {
+  const GBufferTexel g = load_gbuffer(pixel);
+  const uint bits = features[pixel.y * params.width + pixel.x];
+  Lit lit;
+  lit.surface = make_surface(position_of(pixel, d), g.normal, -unit_or_shorter(ray_of(pixel)), g.base_colour,
+                             g.metallic, g.roughness, bits);
+#ifdef MUTANT_4  // ambient light gets everywhere
+  lit.radiance = g.emissive + shade_ambient(lit.surface, params.ambient);
+#else
+  lit.radiance = g.emissive + shade_ambient(lit.surface, params.ambient) * g.occlusion;
+#endif
+  return lit;
+}
+
+void store(uvec2 pixel, vec3 colour) {
+#ifdef MUTANT_5  // neither held above 0 nor below infinity
+  imageStore(radiance, ivec2(pixel), vec4(colour, 1.0));
+#else
+  imageStore(radiance, ivec2(pixel), vec4(storable(colour), 1.0));
+#endif
+}
+void store_background(uvec2 pixel) {
+#ifdef MUTANT_6  // the background is left as it was
+  return;
+#endif
+  imageStore(radiance, ivec2(pixel), vec4(0.0));
+}

@@ -1,0 +1,14 @@
+#pragma once
+#include "harness/oracle.h"
+
+namespace assay::deferred_lighting {
+
+Case random_case(Random&);
+std::vector<std::string> branches();
+std::vector<HardCase> hard_cases();
+std::vector<Case> smaller(const Case&);  // fewer lights, then fewer pixels
+Case typical(Extent);                    // a hall with three lights
+Case typical_with(Extent, uint32_t lights);
+Case in_frame(const FrameInputs&);
+
+}  // namespace assay::deferred_lighting

@@ -1,0 +1,23 @@
+#ifndef DEFERRED_LIGHTING_LAYOUT_H
+#define DEFERRED_LIGHTING_LAYOUT_H
+#include "harness/formats/lighting.h"
+#include "harness/shared.h"
+SHARED_BEGIN(deferred_lighting)
+
+struct LightingParams {
+  ViewRays rays;
+  float near_plane;  // metres
+  vec3 ambient;      // radiance that comes from everywhere
+  uint width;        // pixels
+  uint height;
+  uint lights;  // records; those past kMostLights are not looked at
+};
+
+// One loop of an invocation runs over them, and lavapipe ends loops after 65,535 turns.
+SHARED_CONST uint kMostLights = 32768u;
+
+#ifdef __cplusplus
+SHARED_LAYOUT(LightingParams, rays, near_plane, ambient, width, height, lights);
+#endif
+SHARED_END
+#endif

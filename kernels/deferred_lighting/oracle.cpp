@@ -1,0 +1,157 @@
+#include "kernels/deferred_lighting/oracle.h"
+
+#include "harness/half.h"
+#include "harness/lighting_oracle.h"
+#include "kernels/deferred_lighting/layout.h"
+
+namespace assay::deferred_lighting {
+
+namespace {
+
+using glm::dvec3;
+using shading::Colour;
+
+constexpr double u = kUnitRoundoff;
+constexpr double kLeastDepth = 1e-30;
+constexpr uint64_t kJudgedPixels = 1u << 14;  // of a case in which every light meets every pixel of this many
+constexpr uint64_t kJudgedShades = 1u << 20;  // pixels times lights
+
+struct View {
+  const Case& c;
+  LightingParams params = c.params<LightingParams>();
+  std::span<const float> depth = c.input<float>("depth");
+  std::span<const uint32_t> base = c.input<uint32_t>("base_roughness"), normal = c.input<uint32_t>("normal"),
+                            emissive = c.input<uint32_t>("emissive"), features = c.input<uint32_t>("features");
+  std::span<const uint16_t> metal = c.input<uint16_t>("metallic_occlusion");
+  std::span<const LightRecord> lights =
+      c.input<LightRecord>("lights").first(std::min<size_t>(params.lights, kMostLights));
+};
+
+uint32_t byte_of(uint32_t word, uint32_t i) { return word >> 8 * i & 255u; }
+
+// corner + across x + down y: three roundings of each term.
+Ball ray_of(const LightingParams& p, uint64_t pixel) {
+  const double x = static_cast<double>(pixel % p.width) + 0.5, y = static_cast<double>(pixel / p.width) + 0.5;
+  const dvec3 corner(p.rays.corner), across = dvec3(p.rays.across) * x, down = dvec3(p.rays.down) * y;
+  return {corner + across + down, 3 * u * glm::length(glm::abs(corner) + glm::abs(across) + glm::abs(down))};
+}
+
+// ray * (near / depth): 5u of the quotient, u of the product.
+Ball position_of(const LightingParams& p, const Ball& ray, double depth) {
+  const double w = double{p.near_plane} / depth;
+  return {ray.value * w, (ray.error + 6 * u * reach(ray)) * w * bounded::kSlack};
+}
+
+// Octahedral codes are whole numbers and stay so; what is off is the normalisation.
+Ball normal_of(uint32_t texel) {
+  const auto code = [](uint32_t bits) { return std::max(static_cast<int>(static_cast<int16_t>(bits)), -32767); };
+  double x = code(texel & 0xffffu), y = code(texel >> 16);
+  const double z = 32767 - std::fabs(x) - std::fabs(y);
+  if (z < 0) {
+    const double folded = (32767 - std::fabs(y)) * (x < 0 ? -1 : 1);
+    y = (32767 - std::fabs(x)) * (y < 0 ? -1 : 1);
+    x = folded;
+  }
+  return normalised({{x, y, z}, 0}, kShortestVector);
+}
+
+dvec3 emission_of(uint32_t code) {
+  const double scale = std::ldexp(1.0, static_cast<int>(code >> 27) - 24);
+  return dvec3(code & 511u, code >> 9 & 511u, code >> 18 & 511u) * scale;
+}
+
+shading::OracleSurface surface_of(const View& v, uint64_t pixel) {
+  const Ball ray = ray_of(v.params, pixel);
+  shading::OracleSurface s;
+  s.position = position_of(v.params, ray, v.depth[pixel]);
+  s.normal = normal_of(v.normal[pixel]);
+  s.to_eye = -normalised(ray, kShortestVector);
+  for (uint32_t i = 0; i < 3; ++i) s.base_colour[i] = square(shading::unorm8(byte_of(v.base[pixel], i)));
+  s.roughness = shading::unorm8(byte_of(v.base[pixel], 3));
+  s.metallic = shading::unorm8(v.metal[pixel] & 255u);
+  s.features = v.features[pixel];
+  return s;
+}
+
+Colour radiance_of(const View& v, uint64_t pixel) {
+  const shading::OracleSurface s = surface_of(v, pixel);
+  const dvec3 emission = emission_of(v.emissive[pixel]);
+  Colour sum = Colour{exactly(emission.x), exactly(emission.y), exactly(emission.z)} +
+               shading::shade_ambient(s, v.params.ambient) * shading::unorm8(v.metal[pixel] >> 8u);
+  for (const LightRecord& light : v.lights) sum = sum + shading::shade(s, light);
+  return sum;
+}
+
+bool has_surface(float depth) { return depth > kLeastDepth && std::isfinite(depth); }
+
+// All pixels of small cases; of others every n-th, n odd so that neighbouring rows differ.
+std::vector<uint64_t> judged_pixels(const View& v) {
+  const uint64_t most =
+      std::min(kJudgedPixels, std::max<uint64_t>(1024, kJudgedShades / std::max<size_t>(v.lights.size(), 1)));
+  std::vector<uint64_t> judged;
+  if (v.c.judge_all || pixels(v.c) <= most) return judged;
+  for (uint64_t i = 0; i < pixels(v.c); i += pixels(v.c) / most | 1) judged.push_back(i);
+  return judged;
+}
+
+template <class F>
+void for_each_judged(const Case& c, const std::vector<uint64_t>& judged, F f) {
+  for (uint64_t i = 0; i < (judged.empty() ? pixels(c) : judged.size()); ++i) f(judged.empty() ? i : judged[i]);
+}
+
+// Denormal floats may be flushed on the way, and so may halves below the least normal one.
+constexpr double kFlushed = 0x1p-100, kLeastNormalHalf = 0x1p-14;
+float lowest(double v) {
+  const double half = half_at_most(std::clamp(v - kFlushed, 0.0, kLargestHalf));
+  return half < kLeastNormalHalf ? 0 : static_cast<float>(half);
+}
+float highest(double v) { return static_cast<float>(half_at_least(std::clamp(v + kFlushed, 0.0, kLargestHalf))); }
+
+}  // namespace
+
+Layout texel_layout() { return {"", 16, {{"radiance", 0, 3, Scalar::f32}, {"surface", 12, 1, Scalar::f32}}}; }
+
+Bytes unpack_texels(std::span<const std::byte> texels) {
+  std::vector<uint16_t> halves(texels.size() / 2);
+  std::memcpy(halves.data(), texels.data(), texels.size());
+  std::vector<float> values(halves.begin(), halves.end());
+  for (size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(half_value(halves[i]));
+  const auto bytes = std::as_bytes(std::span(values));
+  return {bytes.begin(), bytes.end()};
+}
+
+Answer expected_radiance(const Case& c) {
+  const View v = {c};
+  std::vector<vec4> low, high;
+  std::vector<uint32_t> first = {0};
+  auto judged = judged_pixels(v);
+  for_each_judged(c, judged, [&](uint64_t pixel) {
+    vec4 a(0), b(0);
+    if (has_surface(v.depth[pixel])) {
+      const Colour r = radiance_of(v, pixel);
+      for (int i = 0; i < 3; ++i)
+        a[i] = lowest(r[static_cast<size_t>(i)].low), b[i] = highest(r[static_cast<size_t>(i)].high);
+      a.w = b.w = 1;
+    }
+    low.push_back(a), high.push_back(b);
+    first.push_back(static_cast<uint32_t>(low.size()));
+  });
+  Expected e = expect_all(low);
+  e.high = expect_all(high).low;
+  e.first = std::move(first);
+  e.judged = std::move(judged);
+  return {{"radiance", std::move(e)}};
+}
+
+std::vector<double> relative_widths(const Case& c) {
+  const View v = {c};
+  std::vector<double> widths;
+  for_each_judged(c, judged_pixels(v), [&](uint64_t pixel) {
+    if (!has_surface(v.depth[pixel])) return;
+    for (const Interval& i : radiance_of(v, pixel))
+      if (i.low + i.high > 2e-3) widths.push_back((i.high - i.low) / (0.5 * (i.low + i.high)));
+  });
+  return widths;
+}
+
+}  // namespace assay::deferred_lighting

@@ -1,0 +1,175 @@
+#include "kernels/deferred_lighting/picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace assay::deferred_lighting {
+
+using glm::dvec3;
+
+namespace {
+
+constexpr double kNear = 0.1;
+
+int16_t snorm(double v) { return static_cast<int16_t>(std::lround(std::clamp(v, -1.0, 1.0) * 32767)); }
+
+// The nearest hit of a ray from the eye: view depth along it and the normal there.
+struct Hit {
+  double depth = 1e30;
+  dvec3 normal = {};
+  int what = -1;
+};
+
+void hit_plane(Hit& hit, const dvec3& ray, const dvec3& normal, double offset, int what) {
+  const double along = glm::dot(normal, ray), t = offset / along;
+  if (along < 0 && t > 0 && t < hit.depth) hit = {t, normal, what};
+}
+
+void hit_ball(Hit& hit, const dvec3& ray, const dvec3& centre, double radius, int what) {
+  const double a = glm::dot(ray, ray), b = glm::dot(ray, centre), c = glm::dot(centre, centre) - radius * radius;
+  const double d = b * b - a * c;
+  if (d < 0) return;
+  const double t = (b - std::sqrt(d)) / a;
+  if (t > 0 && t < hit.depth) hit = {t, glm::normalize(ray * t - centre), what};
+}
+
+constexpr int kBalls = 10;
+
+Hit look(const dvec3& ray) {
+  Hit hit;
+  hit_plane(hit, ray, {0, 1, 0}, -1.6, kBalls);
+  hit_plane(hit, ray, {0, 0, 1}, -9, kBalls + 1);
+  hit_plane(hit, ray, {1, 0, 0}, -5, kBalls + 2);
+  for (int i = 0; i < kBalls; ++i)
+    hit_ball(hit, ray, {-3.2 + 1.6 * (i % 5), i < 5 ? -0.9 : 0.9, i < 5 ? -4.5 : -6}, 0.7, i);
+  return hit;
+}
+
+}  // namespace
+
+dvec3 Picture::ray(double x, double y) const {
+  return dvec3(params.rays.corner) + dvec3(params.rays.across) * x + dvec3(params.rays.down) * y;
+}
+dvec3 Picture::position(uint32_t x, uint32_t y) const {
+  return ray(x + 0.5, y + 0.5) * (double{params.near_plane} / double{depth[at(x, y)]});
+}
+void Picture::place(uint32_t x, uint32_t y, double view_depth) {
+  depth[at(x, y)] = static_cast<float>(double{params.near_plane} / view_depth);
+}
+void Picture::face(uint32_t x, uint32_t y, const dvec3& n) { normal[at(x, y)] = octahedral_code(n); }
+
+uint32_t octahedral_code(const dvec3& n) {
+  const double sum = std::fabs(n.x) + std::fabs(n.y) + std::fabs(n.z);
+  double x = n.x / sum, y = n.y / sum;
+  if (n.z < 0) {
+    const double folded = (1 - std::fabs(y)) * (x < 0 ? -1 : 1);
+    y = (1 - std::fabs(x)) * (y < 0 ? -1 : 1);
+    x = folded;
+  }
+  return static_cast<uint16_t>(snorm(x)) | static_cast<uint32_t>(static_cast<uint16_t>(snorm(y))) << 16;
+}
+
+uint32_t base_code(uint32_t red, uint32_t green, uint32_t blue, uint32_t roughness) {
+  return red | green << 8 | blue << 16 | roughness << 24;
+}
+
+Picture wall(Extent e, double view_depth) {
+  const size_t n = pixel_count(e);
+  const double down = static_cast<double>(e.height) / static_cast<double>(e.width);
+  Picture p = {.extent = e};
+  p.params.rays = {vec3(-1, down, -1), vec3(2.0 / e.width, 0, 0), vec3(0, -2 * down / e.height, 0)};
+  p.params.near_plane = static_cast<float>(kNear);
+  p.params.ambient = vec3(0.02f, 0.03f, 0.04f);
+  p.depth.assign(n, static_cast<float>(kNear / view_depth));
+  p.base.assign(n, base_code(180, 170, 160, 128));
+  p.normal.assign(n, octahedral_code({0, 0, 1}));
+  p.metal.assign(n, metal_code(0, 255));
+  p.emissive.assign(n, 0);
+  p.features.assign(n, kFeatureOpaque);
+  return p;
+}
+
+Picture hall(Extent e) {
+  Picture p = wall(e);
+  for (uint32_t y = 0; y < e.height; ++y)
+    for (uint32_t x = 0; x < e.width; ++x) {
+      const size_t i = p.at(x, y);
+      const Hit hit = look(p.ray(x + 0.5, y + 0.5));
+      if (hit.what < 0) {
+        p.depth[i] = 0, p.base[i] = 0, p.normal[i] = 0, p.metal[i] = 0, p.features[i] = 0;
+        continue;
+      }
+      p.place(x, y, hit.depth);
+      p.face(x, y, hit.normal);
+      if (hit.what < kBalls) {
+        const auto k = static_cast<uint32_t>(hit.what);
+        p.base[i] = base_code(220 - 12 * k, 120 + 10 * k, 90 + 15 * k, 25 * k);
+        p.metal[i] = metal_code(k % 3 == 0 ? 255 : 0, 255);
+        if (k == 7) p.features[i] |= kFeatureCloth;
+        if (k == 8) p.features[i] |= kFeatureSkin;
+        if (k == 4) p.features[i] |= kFeatureSubsurface;
+      } else if (hit.what == kBalls) {
+        const dvec3 at = p.position(x, y);
+        const bool dark = (static_cast<int>(std::floor(at.x)) + static_cast<int>(std::floor(at.z))) % 2 != 0;
+        p.base[i] = dark ? base_code(90, 90, 100, 70) : base_code(190, 185, 180, 110);
+      }
+    }
+  return p;
+}
+
+Case to_case(const std::string& name, const Picture& p) {
+  Case c = {.name = name, .extent = p.extent};
+  LightingParams params = p.params;
+  params.width = p.extent.width, params.height = p.extent.height;
+  params.lights = static_cast<uint32_t>(p.lights.size());
+  c.set_params(params);
+  c.set_input("depth", p.depth);
+  c.set_input("base_roughness", p.base);
+  c.set_input("normal", p.normal);
+  c.set_input("metallic_occlusion", p.metal);
+  c.set_input("emissive", p.emissive);
+  c.set_input("features", p.features);
+  c.set_input("lights", p.lights);
+  return c;
+}
+
+LightRecord directional(const dvec3& direction, const vec3& colour) {
+  return {vec3(0), 0, colour, kLightDirectional, vec3(glm::normalize(direction)), 0, 1};
+}
+LightRecord point(const dvec3& position, double range, const vec3& colour) {
+  return {vec3(position), static_cast<float>(range), colour, kLightPoint, vec3(0, -1, 0), 0, 1};
+}
+LightRecord spot(const dvec3& position, const dvec3& direction, double range, double inner_rad, double outer_rad,
+                 const vec3& colour) {
+  // 0 at the outer angle and 1 at the inner one, as KHR_lights_punctual scales it.
+  const double scale = 1 / std::max(0.001, std::cos(inner_rad) - std::cos(outer_rad));
+  return {vec3(position),
+          static_cast<float>(range),
+          colour,
+          kLightSpot,
+          vec3(glm::normalize(direction)),
+          static_cast<float>(scale),
+          static_cast<float>(-std::cos(outer_rad) * scale)};
+}
+
+void add_lights(Picture& p, Pcg32& rng, uint32_t count, double reach) {
+  const auto around = [&rng](double r) { return dvec3(rng.range(-r, r), rng.range(-r, r), rng.range(-r, r)); };
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint32_t x = rng.below(p.extent.width), y = rng.below(p.extent.height);
+    const dvec3 target = p.depth[p.at(x, y)] > 0 ? p.position(x, y) : p.ray(x, y) * 3.0;
+    const dvec3 position = target * rng.range(0.7, 1) + around(0.5 * reach);
+    const double power = std::exp2(rng.range(-2, 4)) * reach * reach;
+    const vec3 colour = vec3(power * rng.range(0.3, 1), power * rng.range(0.3, 1), power * rng.range(0.3, 1));
+    const uint32_t kind = rng.below(10);
+    if (kind == 0)
+      p.lights.push_back(directional(around(1) + dvec3(0, 0, -1), colour * static_cast<float>(0.1 / (reach * reach))));
+    else if (kind < 6)
+      p.lights.push_back(point(position, rng.below(4) ? reach * rng.range(0.3, 3) : 0, colour));
+    else
+      p.lights.push_back(spot(position, target - position + around(0.2 * reach),
+                              rng.below(4) ? reach * rng.range(0.5, 3) : 0, rng.range(0.05, 0.5), rng.range(0.5, 1.3),
+                              colour));
+  }
+}
+
+}  // namespace assay::deferred_lighting

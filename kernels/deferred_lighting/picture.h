@@ -1,0 +1,44 @@
+// G-buffers made by hand, for the cases.
+#pragma once
+#include "harness/oracle.h"
+#include "kernels/deferred_lighting/layout.h"
+
+namespace assay::deferred_lighting {
+
+struct Picture {
+  Extent extent = {};
+  LightingParams params = {};
+  std::vector<float> depth = {};
+  std::vector<uint32_t> base = {}, normal = {}, emissive = {}, features = {};
+  std::vector<uint16_t> metal = {};
+  std::vector<LightRecord> lights = {};
+
+  size_t at(uint32_t x, uint32_t y) const { return size_t{y} * extent.width + x; }
+  glm::dvec3 ray(double x, double y) const;                     // to view depth 1, through (x, y) in pixels
+  glm::dvec3 position(uint32_t x, uint32_t y) const;            // of the pixel's surface
+  void place(uint32_t x, uint32_t y, double view_depth);        // sets the depth
+  void face(uint32_t x, uint32_t y, const glm::dvec3& normal);  // sets the normal
+  void face_eye(uint32_t x, uint32_t y) { face(x, y, -ray(x + 0.5, y + 0.5)); }
+};
+
+// 90 degrees across, looking along -z; a grey wall of medium roughness 3 m away that faces the camera.
+Picture wall(Extent, double view_depth = 3);
+// A hall with balls of every roughness and some metals, as a frame might have it.
+Picture hall(Extent);
+Case to_case(const std::string& name, const Picture&);
+
+uint32_t octahedral_code(const glm::dvec3&);
+uint32_t base_code(uint32_t red, uint32_t green, uint32_t blue, uint32_t roughness);  // bytes
+inline uint16_t metal_code(uint32_t metallic, uint32_t occlusion) {
+  return static_cast<uint16_t>(metallic | occlusion << 8);
+}
+
+LightRecord directional(const glm::dvec3& direction, const vec3& colour);
+LightRecord point(const glm::dvec3& position, double range, const vec3& colour);
+// Inner and outer half angles of the cone.
+LightRecord spot(const glm::dvec3& position, const glm::dvec3& direction, double range, double inner_rad,
+                 double outer_rad, const vec3& colour);
+// Lights of every kind about the picture's surfaces, bright enough to be seen.
+void add_lights(Picture&, Pcg32&, uint32_t count, double reach);
+
+}  // namespace assay::deferred_lighting

@@ -1,0 +1,21 @@
+#version 460
+// A group a tile: the pixels and waves of each shader in it, from its table in global memory.
+#include "kernels/pixel_commands/common.glsl"
+#include "kernels/pixel_commands/slots.glsl"
+#include "kernels/pixel_commands/table.glsl"
+READS(2, uint, table_pixels);
+#include "kernels/pixel_commands/global_load.glsl"
+#include "kernels/pixel_commands/groups.glsl"
+WRITES(3, TileCommands, tiles);
+
+void main() {
+  const uint all = tile_count(extent());
+  const uint tile = spread_group();
+  if (tile >= all) return;  // the whole group
+  clear_groups();
+  clear_table();
+  load_table(tile);
+  group_surfaces();
+  for (uint s = gl_LocalInvocationID.x; s < shader_slots(); s += THREADS)
+    tiles[s * all + tile] = TileCommands(shader_pixels[s], shader_waves[s], 0u, 0u);
+}

@@ -1,0 +1,115 @@
+// Answers that are promised to the bit, beyond their bounds: from run to run, from variant to variant, and where all
+// roundings are known, the very bits. ctest runs it at several subgroup widths and numbers of threads.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "harness/check/cases.h"
+#include "harness/half.h"
+#include "kernels/resolve/layout.h"
+#include "tests/lowered.h"
+
+namespace assay::tests {
+namespace {
+
+struct Promise {
+  const char* kernel;
+  std::vector<const char*> variants, ports;
+};
+const Promise kPromises[] = {
+    {"deferred_lighting", {"plain", "tiled_shared", "subgroup_cull"}, {"radiance"}},
+    {"resolve", {"two_level", "subgroup_tree"}, {"partials", "exposure", "image"}},
+};
+
+std::vector<Bytes> answers(const Kernel& k, const char* variant, const Case& c, const Promise& p) {
+  const Ran r = run_variant(*device(), k, variant, c);
+  std::vector<Bytes> bytes;
+  for (const char* port : p.ports) bytes.push_back(device::read(*device(), *r.ports.at(port)));
+  return bytes;
+}
+
+void expect_identical(const Promise& p, const Case& c, const std::string& name) {
+  const Kernel& k = kernel_named(p.kernel);
+  const auto first = answers(k, p.variants[0], c, p);
+  for (const char* variant : p.variants) {
+    if (!device::missing(device::info(*device()), variant_of(k, variant)).empty()) continue;
+    EXPECT_EQ(answers(k, variant, c, p), first) << p.kernel << "." << variant << ", case " << name;
+  }
+}
+
+// Cases that are quickly run: the order of operations does not depend on the extent.
+bool is_small(const Case& c) { return pixel_count(c.extent) <= 40000; }
+
+TEST(Identical, VariantsAndRuns) {
+  for (const Promise& p : kPromises) {
+    const Kernel& k = kernel_named(p.kernel);
+    for (const HardCase& hard : k.inputs.hard) {
+      if (hard.nightly) continue;
+      if (const Case c = hard.make(); is_small(c)) expect_identical(p, c, hard.name);
+    }
+    for (uint64_t seed = 1; seed <= 12; ++seed)
+      if (const Case c = check::random_case(k, seed).input; is_small(c)) expect_identical(p, c, c.name);
+  }
+}
+
+// ---- The sum of resolve, in float as its README orders it
+// ----------------------------------------------------------
+
+using resolve::ResolveParams;
+
+float luminance_of(const std::array<uint16_t, 4>& t) {
+  if (!(half_value(t[3]) > 0)) return 0;
+  const auto channel = [&](size_t i) { return static_cast<float>(half_value(t[i])); };
+  if (!std::isfinite(channel(0) + channel(1) + channel(2))) return 0;
+  const float red = resolve::kLuminanceRed * std::max(channel(0), 0.0f);
+  const float green = resolve::kLuminanceGreen * std::max(channel(1), 0.0f);
+  return red + green + resolve::kLuminanceBlue * std::max(channel(2), 0.0f);
+}
+
+float tree_sum(std::array<float, 256> v) {
+  for (size_t stride = 1; stride < 256; stride *= 2)
+    for (size_t i = 0; i < 256; i += 2 * stride) v[i] += v[i + stride];
+  return v[0];
+}
+
+float sum_in_order(const Case& c) {
+  const auto texels = c.input<std::array<uint16_t, 4>>("radiance");
+  const auto at = [&](uint32_t x, uint32_t y) {
+    return x < c.extent.width && y < c.extent.height ? luminance_of(texels[size_t{y} * c.extent.width + x]) : 0.0f;
+  };
+  const Extent blocks = tiles_of(c.extent, resolve::kBlockPixels);
+  std::array<float, 256> last = {};
+  for (uint32_t block = 0; block < pixel_count(blocks); ++block) {
+    const uint32_t x0 = block % blocks.width * resolve::kBlockPixels, y0 = block / blocks.width * resolve::kBlockPixels;
+    std::array<float, 256> threads = {};
+    for (uint32_t t = 0; t < 256; ++t)
+      for (uint32_t j = 0; j < 8; ++j) {
+        float row = 0;
+        for (uint32_t i = 0; i < 8; ++i) row += at(x0 + t % 16 + 16 * i, y0 + t / 16 + 16 * j);
+        threads[t] += row;
+      }
+    last[block % 256] += tree_sum(threads);
+  }
+  return tree_sum(last);
+}
+
+TEST(Identical, TheSumHasTheBitsOfItsOrder) {
+  const Kernel& k = kernel_named("resolve");
+  uint32_t summed = 0;
+  for (uint64_t seed = 1; seed <= 40; ++seed) {
+    const Case c = check::random_case(k, seed).input;
+    if (c.params<ResolveParams>().metering != resolve::kMeterMean) continue;
+    ++summed;
+    for (const char* variant : {"two_level", "subgroup_tree"}) {
+      if (!device::missing(device::info(*device()), variant_of(k, variant)).empty()) continue;
+      const Ran r = run_variant(*device(), k, variant, c);
+      EXPECT_EQ(read<resolve::ExposureRecord>(*device(), r, "exposure")[0].sum, sum_in_order(c)) << variant << seed;
+    }
+  }
+  EXPECT_GE(summed, 10u);
+}
+
+}  // namespace
+}  // namespace assay::tests

@@ -1,0 +1,150 @@
+// Lights from a file beside the scene's: what it may say, and one line for what it may not.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+#include "tests/glb.h"
+
+namespace assay::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using scene::LightKind;
+using scene::Scene;
+
+// Removed with the test.
+struct TemporaryFile {
+  fs::path path;
+  TemporaryFile(const std::string& name, const std::string& text) : path(temporary(name)) {
+    std::ofstream(path, std::ios::binary) << text;
+  }
+  ~TemporaryFile() { fs::remove(path); }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+};
+
+Scene with(const std::string& text) {
+  const TemporaryFile file("some.json", text);
+  return scene::load("bare", file.path);
+}
+
+std::string complaint(const std::string& text) {
+  try {
+    with(text);
+    return "";
+  } catch (const std::runtime_error& e) {
+    const std::string what = e.what();
+    EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+    EXPECT_EQ(what.rfind(temporary("some.json").string() + ": ", 0), 0u) << "names no file: " << what;
+    return what;
+  }
+}
+
+TEST(Sidecar, LightsOfEveryKind) {
+  const Scene s = with(R"({"about": "test", "lights": [
+    {"kind": "spot", "position": [1, 2, 3], "direction": [0, -2, 0], "colour": [1, 0.5, 0.25], "intensity": 40,
+     "range": 8, "inner_deg": 30, "outer_deg": 60},
+    {"kind": "spot", "position": [1, 2, 3], "direction": [0, 0, 1], "inner_rad": 0.25, "outer_rad": 0.5},
+    {"kind": "point", "position": [1e6, 2, 0.125]},
+    {"kind": "directional", "direction": [3, 0, -4], "intensity": 2}]})");
+  ASSERT_EQ(s.lights.size(), 4u);
+  EXPECT_EQ(s.lights[0].kind, LightKind::spot);
+  EXPECT_EQ(s.lights[0].position, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(s.lights[0].direction, glm::vec3(0, -1, 0));
+  EXPECT_EQ(s.lights[0].colour, glm::vec3(1, 0.5f, 0.25f));
+  EXPECT_EQ(s.lights[0].intensity, 40);
+  EXPECT_EQ(s.lights[0].range, 8);
+  EXPECT_FLOAT_EQ(s.lights[0].inner_rad, 0.52359878f);
+  EXPECT_FLOAT_EQ(s.lights[0].outer_rad, 1.04719755f);
+  EXPECT_EQ(s.lights[1].inner_rad, 0.25f);
+  EXPECT_EQ(s.lights[1].outer_rad, 0.5f);
+  EXPECT_EQ(s.lights[2].kind, LightKind::point);
+  EXPECT_EQ(s.lights[2].position, glm::dvec3(1e6, 2, 0.125));
+  EXPECT_EQ(s.lights[2].colour, glm::vec3(1));
+  EXPECT_EQ(s.lights[2].intensity, 1);
+  EXPECT_EQ(s.lights[2].range, 0);
+  EXPECT_EQ(s.lights[3].kind, LightKind::directional);
+  EXPECT_NEAR(length(s.lights[3].direction - glm::vec3(0.6f, 0, -0.8f)), 0, 1e-6);
+  ASSERT_EQ(s.notes.size(), 1u);
+  EXPECT_NE(s.notes[0].find("4 lights"), std::string::npos);
+}
+
+TEST(Sidecar, BrokenOnesAreOneLineWithThePlace) {
+  const auto light = [](const std::string& members) { return "{\"lights\": [" + members + "]}"; };
+  const std::string spot = R"("kind": "spot", "position": [0, 0, 0], "direction": [0, -1, 0])";
+  const std::pair<std::string, const char*> broken[] = {
+      {"", "JSON"},
+      {"{\"lights\": [", "JSON, byte"},
+      {"[]", "not an object"},
+      {"{}", "lights"},
+      {"{\"lights\": {}}", "lights"},
+      {"{\"lights\": [], \"decals\": []}", "\"decals\""},
+      {light("7"), "lights[0]"},
+      {light("{}"), "kind is missing"},
+      {light(R"({"kind": "area"})"), "lights[0].kind"},
+      {light(R"({"kind": 3})"), "lights[0].kind"},
+      {light(R"({"kind": "point"})"), "lights[0]: position is missing"},
+      {light(R"({"kind": "point", "position": [0, 0]})"), "lights[0].position"},
+      {light(R"({"kind": "point", "position": [0, 0, "up"]})"), "lights[0].position"},
+      {light(R"({"kind": "point", "position": [0, 0, 1e300]})"), "lights[0].position"},
+      {light(R"({"kind": "point", "position": [0, 0, 1e999]})"), "1e999"},
+      {light(R"({"kind": "point", "position": [0, 0, 0], "direction": [0, 1, 0]})"), "\"direction\""},
+      {light(R"({"kind": "point", "position": [0, 0, 0], "color": [0, 1, 0]})"), "\"color\""},
+      {light(R"({"kind": "point", "position": [0, 0, 0], "intensity": -1})"), "lights[0]: its intensity"},
+      {light(R"({"kind": "point", "position": [0, 0, 0], "intensity": "9"})"), "lights[0].intensity"},
+      {light(R"({"kind": "point", "position": [0, 0, 0], "range": -1})"), "lights[0]: its range"},
+      {light(R"({"kind": "point", "position": [0, 0, 0], "colour": [0, -1, 0]})"), "lights[0]: its colour"},
+      {light(R"({"kind": "directional", "direction": [0, 0, 0]})"), "lights[0].direction"},
+      {light(R"({"kind": "directional", "direction": [0, 1, 0], "position": [0, 0, 0]})"), "\"position\""},
+      {light("{" + spot + R"(, "outer_deg": 91})"), "lights[0]: its cone"},
+      {light("{" + spot + R"(, "inner_deg": 50})"), "lights[0]: its cone"},
+      {light("{" + spot + R"(, "inner_deg": -1})"), "lights[0]: its cone"},
+      {light("{" + spot + R"(, "inner_deg": 1, "inner_rad": 1})"), "inner is given"},
+      {light("{" + spot + "}, {" + spot + R"(, "outer_deg": true})"), "lights[1].outer_deg"},
+      {"{\"about\":" + std::string(100000, '[') + std::string(100000, ']') + "}", "nested"},
+  };
+  for (const auto& [text, place] : broken) {
+    const std::string said = complaint(text);
+    EXPECT_NE(said.find(place), std::string::npos) << text.substr(0, 200) << "\n: \"" << said << "\" lacks " << place;
+  }
+  EXPECT_THROW(scene::load("bare", "/no/such.lights.json"), std::runtime_error);
+  EXPECT_EQ(complaint(light("{" + spot + "}")), "");
+}
+
+TEST(Sidecar, EveryTruncationIsRefused) {
+  const std::string whole = R"({"lights": [{"kind": "point", "position": [1, 2, 3], "intensity": 1.5}]})";
+  ASSERT_EQ(complaint(whole), "");
+  for (size_t size = 0; size < whole.size(); ++size) EXPECT_NE(complaint(whole.substr(0, size)), "") << size;
+}
+
+TEST(Sidecar, TheNeighbourIsFoundUnlessAnotherIsNamed) {
+  const std::string one = R"({"lights": [{"kind": "point", "position": [1, 2, 3]}]})";
+  const TemporaryFile glb("quad.glb", bytes_of(quad())), beside("quad.lights.json", one),
+      other("other.json", R"({"lights": []})");
+  EXPECT_EQ(scene::load(glb.path.string()).lights.size(), 2u);  // the file's own spot comes first
+  EXPECT_EQ(scene::load(glb.path.string()).lights[1].kind, LightKind::point);
+  EXPECT_EQ(scene::load(glb.path.string(), other.path).lights.size(), 1u);
+  fs::remove(beside.path);
+  EXPECT_EQ(scene::load(glb.path.string()).lights.size(), 1u);
+}
+
+// Tests run in the source folder, where the fixture is.
+TEST(Sidecar, SponzasLightsHitTheAtrium) {
+  const fs::path fixture = "fixtures/scenes/sponza.lights.json";
+  if (!fs::exists(fixture)) GTEST_SKIP() << "no " << fixture;
+  const Scene alone = scene::load("bare", fixture);
+  ASSERT_EQ(alone.lights.size(), 21u);
+  for (size_t i = 1; i < alone.lights.size(); ++i) {
+    const scene::Light& l = alone.lights[i];
+    EXPECT_EQ(l.kind, LightKind::spot);
+    EXPECT_EQ(l.range, 7.5f);
+    EXPECT_LE(std::abs(l.position.x), 14);  // the walls
+    EXPECT_LE(std::abs(l.position.z + 0.36), 5.8);
+    EXPECT_LE(l.position.y, 12.6);
+  }
+}
+
+}  // namespace
+}  // namespace assay::tests
