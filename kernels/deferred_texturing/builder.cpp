@@ -46,6 +46,18 @@ Interpolated on_sheet(const Rectangle& r, uint32_t x, uint32_t y, uint32_t& tria
   return {{1 - fx, 1 - fy}, {-1.0 / r.width, 0}, {0, -1.0 / r.height}, {}};
 }
 
+bool is_shown(const Builder& b, uint32_t shader) {
+  const auto is_of_class = [&](uint32_t material) {
+    return material < b.materials.size() && b.materials[material].shader == shader;
+  };
+  if (b.registers_unseen)
+    return std::ranges::any_of(b.surfaces, [&](const SurfaceRecord& s) { return is_of_class(s.material); });
+  return std::ranges::any_of(b.visibility, [&](const uvec2& v) {
+    const uint32_t surface = v.y & kVisibilitySurfaceMask;
+    return surface < b.surfaces.size() && is_of_class(b.surfaces[surface].material);
+  });
+}
+
 }  // namespace
 
 Encoded encode(const Interpolated& p) {
@@ -117,10 +129,8 @@ Case Builder::finish(std::string name) const {
   params.surfaces = static_cast<uint32_t>(surfaces.size()), params.materials = static_cast<uint32_t>(materials.size());
   params.indices = static_cast<uint32_t>(indices.size()), params.vertices = static_cast<uint32_t>(vertices.size());
   for (uint32_t k = 0; k < kShaderClasses; ++k) {
-    bool is_shown = false;
-    for (const MaterialRecord& m : materials) is_shown |= m.shader == k;
-    is_shown &= std::ranges::find(hidden_classes, k) == hidden_classes.end();
-    params.slot_of_class[k] = is_shown ? params.shaders++ : kUnregistered;
+    const bool is_registered = is_shown(*this, k) && std::ranges::find(hidden_classes, k) == hidden_classes.end();
+    params.slot_of_class[k] = is_registered ? params.shaders++ : kUnregistered;
   }
   std::vector<SurfaceSlot> slots;
   for (const SurfaceRecord& s : surfaces) {

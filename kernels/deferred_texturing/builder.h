@@ -39,6 +39,7 @@ struct Builder {
   uint32_t tiles_with_room = ~0u;
   std::vector<uint> stale = {};
   std::vector<uint32_t> hidden_classes = {};  // registered nowhere, whatever shows them
+  bool registers_unseen = false;              // classes that no pixel shows, as where something hides them
 
   explicit Builder(Extent);
   uint32_t add_material(const MaterialRecord&);

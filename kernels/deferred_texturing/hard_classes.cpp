@@ -194,6 +194,12 @@ std::vector<HardCase> class_cases() {
        }},
       {"emissive_dim", "under the least step of the format, and at it",
        [] { return with(kShaderOpaque, [](MaterialRecord& m) { m.emissive = vec3(1e-7f, 1.2e-7f, 3e-5f); }); }},
+      {"emissive_rounded", "between two codes, nearer to the upper one",
+       [] {
+         return with(kShaderOpaque, [](MaterialRecord& m) {
+           m.emissive = vec3(1, 100.9f / 256, 7.7f / 256), m.emissive_texture = kNoTexture;
+         });
+       }},
       {"emissive_dark_beside_bright", "1e-4 beside 6e4: the dark one is lost to the shared exponent",
        [] { return with(kShaderOpaque, [](MaterialRecord& m) { m.emissive = vec3(1e-4f, 6e4f, 10); }); }},
   };

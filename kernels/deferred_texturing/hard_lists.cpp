@@ -38,6 +38,11 @@ Builder mixed(Extent e, uint32_t side = 13) {
   return squares(e, side, [](uint32_t i) { return i * 5 % (2 * kShaderClasses); });
 }
 
+// Two materials of one class: for what the classes have in common, where the others would only be compiled.
+Builder of_one_class(Extent e) {
+  return squares(e, 13, [](uint32_t i) { return i % 2 * kShaderClasses; });
+}
+
 constexpr Extent kExtent = {72, 56};
 
 // A pixel's surface is another's, whose class is another.
@@ -50,10 +55,13 @@ Case checkered(uint32_t materials) {
 }
 
 template <class F>
-Case changed(F change) {
-  Builder b = mixed(kExtent);
+Case changed(F change, Builder b = mixed(kExtent)) {
   change(b);
   return b.finish();
+}
+template <class F>
+Case one_class_changed(F change) {
+  return changed(change, of_one_class(kExtent));
 }
 
 uint entry(uint32_t x, uint32_t y, uint32_t copies = 0) {
@@ -99,13 +107,13 @@ std::vector<HardCase> index_cases() {
   return {
       {"flags", "instanced and flipped bits above the surface, in all four combinations",
        [] {
-         return changed([](Builder& b) {
+         return one_class_changed([](Builder& b) {
            for (uint32_t i = 0; i < b.surfaces.size(); ++i) b.flag_surface(i, i << 30);
          });
        }},
       {"surface_out_of_range", "count, count + 1, 2^30 - 2 and 2^30 - 1: nothing is shown",
        [] {
-         return changed([](Builder& b) {
+         return one_class_changed([](Builder& b) {
            const auto n = static_cast<uint32_t>(b.surfaces.size());
            const uint32_t index[] = {n - 1, n, n + 1, 0x3ffffffe, 0x3fffffff};
            for (size_t i = 0; i < b.visibility.size(); i += 3) b.visibility[i].y = index[i / 3 % 5] | (i & 3) << 30;
@@ -113,7 +121,7 @@ std::vector<HardCase> index_cases() {
        }},
       {"material_out_of_range", "count, count + 1, 2^31 and 2^32 - 1: nothing is shown",
        [] {
-         return changed([](Builder& b) {
+         return one_class_changed([](Builder& b) {
            const uint32_t index[] = {2 * kShaderClasses - 1, 2 * kShaderClasses, 2 * kShaderClasses + 1, 1u << 31, ~0u};
            for (uint32_t i = 0; i < b.surfaces.size(); ++i) b.surfaces[i].material = index[i % 5];
          });
@@ -126,26 +134,26 @@ std::vector<HardCase> index_cases() {
             }); }},
       {"triangle_out_of_range", "indices past the end are the last",
        [] {
-         return changed([](Builder& b) {
+         return one_class_changed([](Builder& b) {
            for (size_t i = 0; i < b.visibility.size(); i += 2) b.visibility[i].x = i % 4 == 0 ? 1000 : 0xffffffffu;
          });
        }},
       {"vertex_out_of_range", "vertices past the end are the last",
        [] {
-         return changed([](Builder& b) {
+         return one_class_changed([](Builder& b) {
            for (uint32_t i = 0; i < b.surfaces.size(); ++i) b.surfaces[i].vertex_offset += i % 2 ? 5000 : ~0u - 2;
          });
        }},
       {"attributes_zero", "covered pixels without attributes: the normal is its own tangent",
        [] {
-         return changed([](Builder& b) {
+         return one_class_changed([](Builder& b) {
            for (size_t i = 0; i < b.visibility.size(); i += 2)
              b.barycentrics[i] = 0, b.derivatives[i] = uvec2(0), b.tangent_frame[i] = uvec2(0);
          });
        }},
       {"attributes_any", "bits that no interpolation leaves: weights beyond their sum, directions beyond the disc",
        [] {
-         return changed([](Builder& b) {
+         return one_class_changed([](Builder& b) {
            Pcg32 rng(5);
            for (size_t i = 0; i < b.visibility.size(); ++i) {
              b.barycentrics[i] = rng.next(), b.tangent_frame[i] = {rng.next(), rng.next()};
@@ -168,7 +176,11 @@ std::vector<HardCase> list_cases() {
       {"wide", "width and height cannot be swapped", sizes({200, 3})},
       {"screen_empty", "no surface, material, index or list", [] { return Builder(kExtent).finish(); }},
       {"screen_unseen", "surfaces that no pixel shows",
-       [] { return changed([](Builder& b) { b.visibility.assign(b.visibility.size(), uvec2(kVisibilityNone)); }); }},
+       [] {
+         return changed([](Builder& b) {
+           b.registers_unseen = true, b.visibility.assign(b.visibility.size(), uvec2(kVisibilityNone));
+         });
+       }},
       {"holes", "pixels without a surface between those with one",
        [] {
          return changed([](Builder& b) {

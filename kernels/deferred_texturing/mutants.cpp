@@ -8,7 +8,7 @@ std::vector<Mutant> mutants() {
       {"common.glsl", 2, "the instanced flag counts as part of the surface", "flags"},
       {"common.glsl", 3, "one surface too many", "surface_out_of_range"},
       {"common.glsl", 4, "NaN goes to the sampler", "uv_beyond"},
-      {"common.glsl", 5, "all meshes begin at the first vertex", "odd_extent"},
+      {"common.glsl", 5, "all meshes begin at the first vertex", "flags"},
       {"common.glsl", 6, "only the way across is minified", "gradient_of_y"},
       {"common.glsl", 7, "the third vertex counts as the second", "magnified"},
       {"classes.glsl", 8, "metallic and roughness change places", "class_opaque"},
@@ -32,6 +32,9 @@ std::vector<Mutant> mutants() {
       {"listed.glsl", 26, "another class's pixels are textured as this one's", "stale_entries"},
       {"listed.glsl", 27, "copies go right and down, not to the quad", "copies"},
       {"listed.glsl", 28, "a copy beyond the edge lands in the next row", "copies"},
+      {"harness/glsl/gbuffer.glsl", 9301, "normals of the lower half are not folded", "class_opaque"},
+      {"harness/glsl/gbuffer.glsl", 9303, "emission is truncated", "emissive_rounded"},
+      {"harness/glsl/gbuffer.glsl", 9305, "base colour without its root", "class_opaque"},
       {"background.comp", 29, "only the sky is background", "surface_out_of_range"},
   };
 }
