@@ -13,7 +13,7 @@ using Wide = __float128;
 // A few of a thing, indexed by int as GLM's vectors are.
 template <class T, int n>
 struct Few {
-  T of[n] = {};
+  T of[n];
   constexpr T& operator[](int i) { return of[i]; }
   constexpr const T& operator[](int i) const { return of[i]; }
   const T* begin() const { return of; }
