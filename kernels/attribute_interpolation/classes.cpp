@@ -54,7 +54,7 @@ std::array<dvec2, 3> fat_triangle(Pcg32& rng, uvec2 pixel, double diameter) {
 ClipSample placed(Pcg32& rng, const std::array<dvec2, 3>& p, double spread, uvec2 pixel, uvec2 viewport) {
   const double w = log_range(rng, 1, 100);
   std::array<dvec3, 3> v;
-  for (int k = 0; k < 3; ++k) v[k] = clip_at(p[k], w * rng.range(1 - spread, 1 + spread), viewport);
+  for (size_t k = 0; k < 3; ++k) v[k] = clip_at(p[k], w * rng.range(1 - spread, 1 + spread), viewport);
   return sample_of(v, pixel, viewport);
 }
 
@@ -141,7 +141,7 @@ ClipSample grazing(Pcg32& rng, uvec2 pixel, uvec2 viewport) {
   const dvec3 receding = normalize(ray * std::sqrt(1 - ratio * ratio) + across * ratio);
   std::array<dvec2, 3> p = fat_triangle(rng, uvec2(0), distance * log_range(rng, 0.01, 1));
   std::array<dvec3, 3> v;
-  for (int k = 0; k < 3; ++k) {
+  for (size_t k = 0; k < 3; ++k) {
     const dvec2 moved = p[k] - dvec2(0.5);
     v[k] = hit + moved.x * aside + moved.y * receding;
   }

@@ -60,7 +60,7 @@ DerivativeFields derivative_fields(uvec2 words, uint encoding) {
   if (encoding == kAttributesPacked) {
     f = shared_exponent_fields(words);
   } else {
-    const std::array<uint, 4> halves = {words.x & 0xffffu, words.x >> 16, words.y & 0xffffu, words.y >> 16};
+    const Few<uint, 4> halves = {words.x & 0xffffu, words.x >> 16, words.y & 0xffffu, words.y >> 16};
     uint flags[4];
     for (int k = 0; k < 4; ++k) {
       const bool scaled = encoding == kAttributesHalfScaled;
@@ -137,7 +137,7 @@ Interval stored_direction(Interval v, uint encoding) {
 namespace {
 
 // The exponent is that of the largest of the four, which may be one of several: the hull over them.
-std::array<Interval, 4> stored_in_shared_exponent(const std::array<Interval, 4>& d) {
+Few<Interval, 4> stored_in_shared_exponent(const Few<Interval, 4>& d) {
   double least = 0, most = 0;  // of the largest magnitude
   for (const Interval& i : d) {
     const bool across = i.low <= 0 && i.high >= 0;
@@ -147,8 +147,8 @@ std::array<Interval, 4> stored_in_shared_exponent(const std::array<Interval, 4>&
   const auto exponent = [](double v) {
     return v == 0 ? kLeastSharedExponent - 1 : std::clamp(std::ilogb(v), kLeastSharedExponent - 1, 127);
   };
-  std::array<Interval, 4> hull;
-  hull.fill({HUGE_VAL, -HUGE_VAL});
+  Few<Interval, 4> hull;
+  for (Interval& i : hull) i = {HUGE_VAL, -HUGE_VAL};
   for (int e = exponent(least); e <= exponent(most); ++e) {
     const double step = std::ldexp(1.0, e + 1 - kMantissaBits), limit = kAttributeMantissaLimit * step;
     for (int k = 0; k < 4; ++k) {
@@ -164,9 +164,9 @@ std::array<Interval, 4> stored_in_shared_exponent(const std::array<Interval, 4>&
 
 }  // namespace
 
-std::array<Interval, 4> stored_derivatives(const std::array<Interval, 4>& d, uint encoding) {
+Few<Interval, 4> stored_derivatives(const Few<Interval, 4>& d, uint encoding) {
   if (encoding == kAttributesPacked) return stored_in_shared_exponent(d);
-  std::array<Interval, 4> stored;
+  Few<Interval, 4> stored;
   for (int k = 0; k < 4; ++k) {
     const auto one = [&](double v) {
       if (encoding == kAttributesHalves)

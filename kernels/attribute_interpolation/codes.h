@@ -1,10 +1,10 @@
 // The encodings of formats/attributes.h as the oracle knows them: what a code stands for, and which codes a rounding
 // interval may become. All are monotone, so the codes of an interval's ends enclose those between.
 #pragma once
-#include <array>
 
 #include "harness/oracle.h"
 #include "kernels/attribute_interpolation/layout.h"
+#include "kernels/attribute_interpolation/rounded.h"
 
 namespace assay::attribute_interpolation {
 
@@ -46,7 +46,7 @@ Bytes unpack_frame(std::span<const std::byte>, uint encoding);
 
 // What is stored of numbers in these intervals.
 Interval stored_weight(Interval, uint encoding);
-std::array<Interval, 4> stored_derivatives(const std::array<Interval, 4>&, uint encoding);
+Few<Interval, 4> stored_derivatives(const Few<Interval, 4>&, uint encoding);
 Interval stored_direction(Interval, uint encoding);
 
 // The unit vector that two stored numbers and a sign stand for.

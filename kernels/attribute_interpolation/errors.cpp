@@ -70,7 +70,8 @@ struct Errors {
   void add(const Answered& got, const Answered& want, const Mapping& m) {
     const dvec3 off = abs(got.weights - want.weights);
     weights.push_back(figure(std::max({off.x, off.y, off.z}) + 0 * (off.x + off.y + off.z)));
-    texels.push_back(figure(kTexels * length(m.at(got.weights) - m.at(want.weights))));
+    const dvec2 moved = abs(m.at(got.weights) - m.at(want.weights));  // along each axis of the texture
+    texels.push_back(figure(kTexels * std::max(moved.x, moved.y) + 0 * (moved.x + moved.y)));
     levels.push_back(figure(std::fabs(std::log2(m.footprint(got) / m.footprint(want)))));
   }
 };

@@ -47,7 +47,7 @@ Case outside_by_a_snap() {
   const double x = pixel.x + 0.5, y = pixel.y + 0.5;
   for (const double off : {0.0, 1 / 1024.0, 1 / 256.0, 0.3})
     for (int edge = 0; edge < 3; ++edge) {
-      std::array<glm::dvec2, 3> p = {glm::dvec2(x - 3, y + off), {x + 4, y + off}, {x + 0.5, y + 5}};
+      glm::dvec2 p[] = {{x - 3, y + off}, {x + 4, y + off}, {x + 0.5, y + 5}};
       if (off == 0.3) p[2] = {x - 40, y + 1};
       vec3 v[3];
       for (int k = 0; k < 3; ++k) {
@@ -198,7 +198,7 @@ Case object_space(const char* name, double reach, double away, const glm::dvec3&
       const double scale = (away + rng.range(-reach, reach)) / s.v0.z;
       std::array<vec3, 3> p;
       const vec3 corners[] = {s.v0, s.v1, s.v2};
-      for (int i = 0; i < 3; ++i) p[i] = scene.object_position(dvec3(corners[i]) * scale);
+      for (size_t i = 0; i < 3; ++i) p[i] = scene.object_position(dvec3(corners[i]) * scale);
       const VertexAttributes v = flat_attributes();
       scene.show(x, y, scene.add_triangle(p, {v, v, v}));
     }

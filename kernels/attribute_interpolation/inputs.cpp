@@ -120,7 +120,7 @@ Case random_scene_case(Random& r, Extent e) {
       const ClipSample s = class_of(k, triangles++ * side * side).make(r.rng, middle, {e.width, e.height});
       std::array<vec3, 3> p;
       const vec3 corners[] = {s.v0, s.v1, s.v2};
-      for (int i = 0; i < 3; ++i) p[i] = scene.object_position(glm::dvec3(corners[i]));
+      for (size_t i = 0; i < 3; ++i) p[i] = scene.object_position(glm::dvec3(corners[i]));
       const uint32_t triangle = scene.add_triangle(p, random_attributes(r, walls));
       for (uint32_t y = by * side; y < std::min((by + 1) * side, e.height); ++y)
         for (uint32_t x = bx * side; x < std::min((bx + 1) * side, e.width); ++x) scene.show(x, y, triangle);

@@ -71,8 +71,8 @@ Interval weight_of(const Hit& h, int k) {
   if (!h.clamped) return i;
   return {std::max(i.low, 0.0), std::min(i.high, 1 + 8 * u)};
 }
-std::array<Interval, 4> derivatives_of(const Hit& h) {
-  std::array<Interval, 4> d;
+Few<Interval, 4> derivatives_of(const Hit& h) {
+  Few<Interval, 4> d;
   for (int k = 0; k < 4; ++k) d[k] = h.determined ? around(h.derivatives[k]) : Interval{-FLT_MAX, FLT_MAX};
   return d;
 }
@@ -113,8 +113,8 @@ void add_derivatives(Expected& to, const Pixel& p, uint32_t encoding) {
 
 // The two numbers stored of a direction.
 void bound_direction(const Direction& d, uint32_t encoding, vec2& low, vec2& high) {
-  const std::array<RoundedDouble, 2> stored =
-      encoding == kAttributesHalves ? std::array{d.xyz[0], d.xyz[1]} : lambert(d);
+  const Few<RoundedDouble, 2> stored =
+      encoding == kAttributesHalves ? Few<RoundedDouble, 2>{d.xyz[0], d.xyz[1]} : lambert(d);
   for (int k = 0; k < 2; ++k) {
     const Interval i = stored_direction(d.determined ? around(stored[k]) : Interval{-1, 1}, encoding);
     low[k] = at_most(i.low), high[k] = at_least(i.high);
@@ -158,7 +158,7 @@ Interval decoded_weight(const Pixel& p, int k, uint32_t encoding) {
 // A direction turned by what half a step of each number may turn it. README.md, "Bounds".
 double decoding_error(const Direction& d, uint32_t encoding) {
   if (encoding != kAttributesHalves) {
-    const std::array<RoundedDouble, 2> e = lambert(d);
+    const Few<RoundedDouble, 2> e = lambert(d);
     const double moved = std::hypot(e[0].error + 0.5 / 32767 + 2 * u, e[1].error + 0.5 / 32767 + 2 * u);
     return 2 * moved + 16 * u;
   }

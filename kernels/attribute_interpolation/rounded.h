@@ -10,6 +10,18 @@ namespace assay::attribute_interpolation {
 
 using Wide = __float128;
 
+// A few of a thing, indexed by int as GLM's vectors are.
+template <class T, int n>
+struct Few {
+  T of[n];
+  constexpr T& operator[](int i) { return of[i]; }
+  constexpr const T& operator[](int i) const { return of[i]; }
+  const T* begin() const { return of; }
+  const T* end() const { return of + n; }
+  T* begin() { return of; }
+  T* end() { return of + n; }
+};
+
 // A number that a shader works out: its exact value, in a type that is wide enough to hold it, and how far from it a
 // device may be. Each operation rounds once by at most u of its result; Wide adds 2^-112 of it, double 2^-52, which `u`
 // below is enlarged by. Results under 2^-126 may be flushed to zero.

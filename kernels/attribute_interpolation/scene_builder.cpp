@@ -64,7 +64,7 @@ uint32_t SceneBuilder::add_surface(const SurfaceRecord& record) {
 
 uint32_t SceneBuilder::add_triangle(const std::array<vec3, 3>& p, const std::array<VertexAttributes, 3>& a) {
   SurfaceRecord& s = surfaces.back();
-  for (int k = 0; k < 3; ++k) {
+  for (size_t k = 0; k < 3; ++k) {
     indices.push_back(static_cast<uint32_t>(positions.size()) - s.vertex_offset);
     positions.push_back(p[k]);
     attributes.push_back(a[k]);

@@ -4,7 +4,7 @@ namespace assay::attribute_interpolation {
 
 namespace {
 
-using Vector = std::array<RoundedDouble, 3>;
+using Vector = Few<RoundedDouble, 3>;
 
 Vector exact(const vec3& v) { return {RoundedDouble{v.x, 0}, {v.y, 0}, {v.z, 0}}; }
 Vector row(const vec4& r) { return exact(vec3(r)); }
@@ -67,8 +67,8 @@ TangentFrame frame_of(const SeenTriangle& t, const Hit& h) {
   return f;
 }
 
-std::array<RoundedDouble, 2> lambert(const Direction& d) {
-  std::array<RoundedDouble, 2> e;
+Few<RoundedDouble, 2> lambert(const Direction& d) {
+  Few<RoundedDouble, 2> e;
   const double z = std::fabs(d.xyz[2].value), spread = std::sqrt(1 + z);
   for (int k = 0; k < 2; ++k) {
     if (is_zero(d.xyz[k])) continue;

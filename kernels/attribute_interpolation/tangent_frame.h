@@ -7,7 +7,7 @@ namespace assay::attribute_interpolation {
 // A unit vector; where not `determined`, any.
 struct Direction {
   bool determined = false;
-  std::array<RoundedDouble, 3> xyz;
+  Few<RoundedDouble, 3> xyz;
 };
 struct TangentFrame {
   Direction normal, tangent;
@@ -15,6 +15,6 @@ struct TangentFrame {
 };
 TangentFrame frame_of(const SeenTriangle&, const Hit&);
 // x and y in Lambert's azimuthal projection.
-std::array<RoundedDouble, 2> lambert(const Direction&);
+Few<RoundedDouble, 2> lambert(const Direction&);
 
 }  // namespace assay::attribute_interpolation

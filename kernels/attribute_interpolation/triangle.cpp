@@ -48,8 +48,8 @@ std::optional<SeenTriangle> triangle_at(const Scene& s, uint64_t pixel) {
   if (shown == uvec2(kVisibilityNone)) return {};
   if (s.params.surfaces == 0 || s.params.indices == 0 || s.params.vertices == 0) return {};
   t.surface = &s.surfaces[last(shown.y & kVisibilitySurfaceMask, s.params.surfaces)];
-  for (uint k = 0; k < 3; ++k) {
-    const uint index = s.indices[last(t.surface->first_index + 3 * shown.x + k, s.params.indices)];
+  for (int k = 0; k < 3; ++k) {
+    const uint index = s.indices[last(t.surface->first_index + 3 * shown.x + static_cast<uint>(k), s.params.indices)];
     const uint vertex = last(index + t.surface->vertex_offset, s.params.vertices);
     const vec3 p = s.positions[vertex];
     t.corners[k] = {along(t.surface->clip_x, p, t.flushed[k]), along(t.surface->clip_y, p, t.flushed[k]),
@@ -77,7 +77,7 @@ constexpr Hit thirds() {
 struct Corner {
   RoundedWide x, y, w;
 };
-std::optional<std::array<Corner, 3>> scaled(const SeenTriangle& t) {
+std::optional<Few<Corner, 3>> scaled(const SeenTriangle& t) {
   float largest = 0;
   for (const vec3& v : t.corners)
     for (const float c : {v.x, v.y, v.z}) {
@@ -88,19 +88,19 @@ std::optional<std::array<Corner, 3>> scaled(const SeenTriangle& t) {
   const int exponent = largest == 0 ? -1000 : std::ilogb(largest);
   if (exponent < static_cast<int>(kSmallestExponent) - kBias || exponent > static_cast<int>(kLargestExponent) - kBias)
     return {};
-  std::array<Corner, 3> corners;
-  const auto scale = [&](float v, uint k) -> RoundedWide {
+  Few<Corner, 3> corners;
+  const auto scale = [&](float v, int k) -> RoundedWide {
     const double s = std::ldexp(double{v}, -exponent);
     // Exact unless it becomes a denormal, which may be flushed.
     const double lost = s != 0 && std::fabs(s) < 0x1p-100 ? 2 * kFlushed : 0;
     return {Wide(s), lost + std::ldexp(t.flushed[k], -exponent)};
   };
-  for (uint k = 0; k < 3; ++k)
+  for (int k = 0; k < 3; ++k)
     corners[k] = {scale(t.corners[k].x, k), scale(t.corners[k].y, k), scale(t.corners[k].z, k)};
   return corners;
 }
 
-using Three = std::array<RoundedWide, 3>;
+using Three = Few<RoundedWide, 3>;
 
 // Relative to the pixel's centre, pixels times w: the corners and twice the areas times two w.
 struct Recentred {
@@ -110,8 +110,8 @@ struct Recentred {
 
 // Weights from the three areas, derivatives from them and differences of recentred corners (y2 - y0, y0 - y1, x0 - x2,
 // x1 - x0): the last steps of both clamped formulas.
-Hit weigh(const Three& areas, const RoundedWide& area, const std::array<RoundedWide, 4>& differences,
-          const std::array<Corner, 3>& corners) {
+Hit weigh(const Three& areas, const RoundedWide& area, const Few<RoundedWide, 4>& differences,
+          const Few<Corner, 3>& corners) {
   Hit h;
   if (!(magnitude(area.value) > area.error)) return h;
   h.clockwise = area.value > 0;
@@ -134,7 +134,7 @@ Hit weigh(const Three& areas, const RoundedWide& area, const std::array<RoundedW
 
 RoundedWide exact(double v) { return {Wide(v), 0}; }
 
-Recentred recentred_by_compensation(const SeenTriangle& t, const std::array<Corner, 3>& corners) {
+Recentred recentred_by_compensation(const SeenTriangle& t, const Few<Corner, 3>& corners) {
   Recentred r;
   for (int k = 0; k < 3; ++k) {
     r.x[k] = difference_of_products(exact(t.half_width), corners[k].x, exact(t.offset_x), corners[k].w);
@@ -148,7 +148,7 @@ Recentred recentred_by_compensation(const SeenTriangle& t, const std::array<Corn
   return r;
 }
 
-Hit hit_compensated(const Recentred& r, const std::array<Corner, 3>& corners) {
+Hit hit_compensated(const Recentred& r, const Few<Corner, 3>& corners) {
   return weigh(r.areas, r.area, {r.y[2] - r.y[0], r.y[0] - r.y[1], r.x[0] - r.x[2], r.x[1] - r.x[0]}, corners);
 }
 
@@ -166,7 +166,7 @@ RoundedWide pair_product(const RoundedWide& a, const RoundedWide& b) {
 }
 RoundedWide high(const RoundedWide& a) { return rounded<Wide>(a.value, a.error); }
 
-Hit hit_in_pairs(const SeenTriangle& t, const std::array<Corner, 3>& corners) {
+Hit hit_in_pairs(const SeenTriangle& t, const Few<Corner, 3>& corners) {
   const auto recentre = [](double h, const RoundedWide& v, double o, const RoundedWide& w) {
     const RoundedWide a = {Wide(h) * v.value, h * v.error + 8 * kFlushed},
                       b = {Wide(o) * w.value, std::fabs(o) * w.error + 8 * kFlushed};
@@ -199,7 +199,7 @@ Hit either(const Hit& a, const Hit& b) {
 }
 
 // The shader decides by sum |x_a y_b| > kWellConditioned * |area|, six products and five sums: 11u of it.
-Hit hit_paired(const SeenTriangle& t, const std::array<Corner, 3>& corners) {
+Hit hit_paired(const SeenTriangle& t, const Few<Corner, 3>& corners) {
   const Recentred r = recentred_by_compensation(t, corners);
   double least = 0, most = 0;
   for (int a = 0; a < 3; ++a)
@@ -217,7 +217,7 @@ Hit hit_paired(const SeenTriangle& t, const std::array<Corner, 3>& corners) {
 }
 
 // One vertex and two edges; multiply-adds that may or may not be fused.
-Hit hit_by_edges(const SeenTriangle& t, const std::array<Corner, 3>& c) {
+Hit hit_by_edges(const SeenTriangle& t, const Few<Corner, 3>& c) {
   const Corner v = c[0], a = {c[1].x - v.x, c[1].y - v.y, c[1].w - v.w}, b = {c[2].x - v.x, c[2].y - v.y, c[2].w - v.w};
   const RoundedWide hx = exact(t.half_width), hy = exact(t.half_height), ox = exact(t.offset_x), oy = exact(t.offset_y);
   const RoundedWide vx = hx * v.x - ox * v.w, vy = hy * v.y - oy * v.w, ax = hx * a.x - ox * a.w,

@@ -1,6 +1,5 @@
 // The oracle's triangle of a pixel, and its weights by every formula that has a bound.
 #pragma once
-#include <array>
 #include <optional>
 
 #include "kernels/attribute_interpolation/layout.h"
@@ -21,11 +20,11 @@ struct Scene {
 Scene scene_of(const Case&);
 
 struct SeenTriangle {
-  std::array<vec3, 3> corners;         // clip x, y, w: floats, as the visibility draw has them
-  std::array<double, 3> flushed = {};  // of a corner: how much a device may have flushed away
+  Few<vec3, 3> corners;         // clip x, y, w: floats, as the visibility draw has them
+  Few<double, 3> flushed = {};  // of a corner: how much a device may have flushed away
   double half_width = 0, half_height = 0, offset_x = 0, offset_y = 0;  // pixels; exact
   const SurfaceRecord* surface = nullptr;                              // none: a clip sample
-  std::array<const VertexAttributes*, 3> attributes = {};
+  Few<const VertexAttributes*, 3> attributes = {};
   bool flipped = false;
 };
 std::optional<SeenTriangle> triangle_at(const Scene&, uint64_t pixel);
@@ -35,13 +34,13 @@ std::optional<SeenTriangle> triangle_at(const Scene&, uint64_t pixel);
 struct Hit {
   bool determined = false;
   bool clamped = true;  // the weights are kept in the simplex
-  std::array<RoundedDouble, 3> weights;
-  std::array<RoundedDouble, 4> derivatives;  // d lambda_1/dx, d lambda_2/dx, d lambda_1/dy, d lambda_2/dy
+  Few<RoundedDouble, 3> weights;
+  Few<RoundedDouble, 4> derivatives;  // d lambda_1/dx, d lambda_2/dx, d lambda_1/dy, d lambda_2/dy
   bool clockwise = false;
 };
 // Formulas by their bound. `paired` is the compensated one, or pairs of floats where that is ill-conditioned.
 enum class Formula { compensated, paired, edges };
-inline constexpr std::array kFormulas = {Formula::compensated, Formula::paired, Formula::edges};
+inline constexpr std::initializer_list<Formula> kFormulas = {Formula::compensated, Formula::paired, Formula::edges};
 const char* name_of(Formula);
 Hit hit(const SeenTriangle&, Formula);
 

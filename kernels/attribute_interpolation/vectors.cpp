@@ -35,7 +35,8 @@ void verify(const ClipSample& s, const std::vector<double>& numbers) {
   const Hit h = hit(*triangle_at(scene_of(c), 0), Formula::paired);
   if (!h.determined) throw std::logic_error("a vector's weights are not determined, even in pairs of floats");
   for (int k = 0; k < 7; ++k) {
-    const double got = k < 3 ? h.weights[k].value : h.derivatives[k - 3].value, want = numbers[first_answer + k];
+    const double got = k < 3 ? h.weights[k].value : h.derivatives[k - 3].value,
+                 want = numbers[static_cast<size_t>(first_answer + k)];
     if (!(std::fabs(got - want) <= 1e-14 * std::max(1.0, std::fabs(want))))
       throw std::logic_error(fmt::format("the oracle says {}, a vector {}", got, want));
   }
@@ -49,8 +50,8 @@ Case published_vectors() {
   for (std::string line; std::getline(lines, line);) {
     if (line.empty() || line[0] != '"') continue;  // origin and heads
     const std::vector<double> n = numbers_of(line);
-    const auto corner = [&](int k) {
-      const double* v = &n[first_coordinate + 3 * k];
+    const auto corner = [&](uint k) {
+      const double* v = &n[first_coordinate + 3u * k];
       return vec3(v[0], v[1], v[2]);
     };
     samples.push_back(
