@@ -92,7 +92,8 @@ TEST(Baseline, TablesShowItsErrors) {
           .kernel = &kernel, .variant = &variant_of(kernel, "not_a_number"), .constants = {}, .extent = {10, 10}}};
   row.verified = {.bounds = {{"ulps(pairs)", 1, INFINITY, "one rounding"}}, .judged = 200, .violations = 1, .nans = 1};
   row.cold = row.hot = {{.gpu_ns = 1000, .cpu_ns = 1000, .wall_ns = 1000}};
-  const report::Run run{.yardsticks = {}, .rows = {row}};
+  report::Run run;
+  run.rows.push_back(row);
   for (const std::string& text : {report::as_text(report::speed_table(run, device::info(*device()))),
                                   report::as_text(report::speed_against_error_table(run))}) {
     EXPECT_NE(text.find("baseline, 1 of 200 wrong, 1 NaN"), std::string::npos) << text;

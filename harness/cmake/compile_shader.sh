@@ -29,17 +29,23 @@ sed -i "s|$copy|$shader|" "$work/d"
 sed "s|^[^:]*:|$out:|" "$work/d" >"$out.d"
 mapfile -t read < <(sed 's/^[^:]*://; s/\\$//' "$work/d" | tr ' ' '\n' | grep . | sort -u)
 mapfile -t mutants < <(cat "$shader" "${read[@]}" | grep -oE '\bMUTANT_[0-9]+' | sed 's/MUTANT_//' | sort -un)
-for n in "${mutants[@]}"; do compile "$n" "-DMUTANT_$n"; done
+# Of shared shader code (numbers above 9000) only the faults that the kernel lists.
+listed=()
+for n in "${mutants[@]}"; do
+  ((n < 9000)) || grep -qwF "$n" "$(dirname "$shader")"/*.cpp || continue
+  listed+=("$n")
+  compile "$n" "-DMUTANT_$n"
+done
 
 {
   echo '#include "harness/device/shader.h"'
-  for n in 0 "${mutants[@]}"; do
+  for n in 0 "${listed[@]}"; do
     echo "static const uint32_t words_$n[] = {"
     od -An -v -tx4 -w32 "$work/$n.spv" | sed -E 's/ ([0-9a-f]{8})/0x\1,/g'
     echo '};'
   done
   echo 'static const assay::device::Shader table[] = {'
-  for n in 0 "${mutants[@]}"; do echo "    {\"$kernel\", \"$(basename "$shader")\", $n, words_$n},"; done
+  for n in 0 "${listed[@]}"; do echo "    {\"$kernel\", \"$(basename "$shader")\", $n, words_$n},"; done
   echo '};'
   echo "extern const std::span<const assay::device::Shader> $id;"
   echo "const std::span<const assay::device::Shader> $id = table;"

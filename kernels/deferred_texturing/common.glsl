@@ -61,8 +61,8 @@ struct Footprint {
   vec2 d_dx;
   vec2 d_dy;
 };
-#ifdef MUTANT_4  // NaN goes to the sampler
-float usable_uv(float x) { return x; }
+#ifdef MUTANT_4  // the middle for NaN
+float usable_uv(float x) { return is_below(x, kLargestUv) ? x : 0.5; }
 #else
 float usable_uv(float x) { return is_below(x, kLargestUv) ? x : 0.0; }
 #endif

@@ -7,8 +7,9 @@ namespace {
 constexpr uint32_t kSlots = 16;
 constexpr double kUnorm = 1.0 / 255;
 // Texels may be filtered in their own 8 bits, truncated once a lerp, of which there are three. An sRGB texel's linear
-// value needs steps of 1 / (255 * 12.92) to be told from its neighbours at all.
-constexpr double kUnormFilter = 3 * kUnorm, kSrgbFilter = 3 * kUnorm / 12.92;
+// value needs steps of 1 / (255 * 12.92) to be told from its neighbours at all; where it is larger, it may be held as a
+// half, truncated once when it is decoded and once a lerp.
+constexpr double kUnormFilter = 3 * kUnorm, kSrgbFilter = 3 * kUnorm / 12.92, kSrgbRelative = 4 * 0x1p-10;
 constexpr double kWidest = 8;  // texels a side that are searched; beyond, the whole layer's range is taken
 
 double linear_of(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4); }
@@ -154,7 +155,8 @@ Range4 Filter::sampled(uint32_t name, const RangeFootprint& f) const {
     previous = here;
   }
   for (uint32_t c = 0; c < 4; ++c) {
-    const double slack = t.format == Format::rgba8_srgb && c < 3 ? kSrgbFilter : kUnormFilter;
+    const bool srgb = t.format == Format::rgba8_srgb && c < 3;
+    const double slack = srgb ? kSrgbFilter + kSrgbRelative * all[c].high : kUnormFilter;
     all[c] = rounded({all[c].low - slack, all[c].high + slack});
   }
   return all;

@@ -34,7 +34,7 @@ std::vector<Mutant> mutants() {
           {"metering.glsl", 2, "the background counts", "background"},
           {"metering.glsl", 3, "what is no number counts", "no_numbers"},
           {"metering.glsl", 4, "the logarithm of 0", "all_black_logarithm"},
-          {"tree.glsl", 5, "the tree's barriers dropped", "constant_tenth"},
+          {"tree.glsl", 5, "the tree's last step left out", "constant_tenth"},
           {"sum_subgroup.comp", 6, "the last exchange between lanes left out", "constant_tenth"},
           {"sum_subgroup.comp", 7, "the barrier after the subgroups' sums dropped", "constant_tenth"},
           {"exposure.glsl", 8, "no end to a black picture's exposure", "all_black"},

@@ -5,14 +5,14 @@ shared PartialSum tree[256];
 // The sum in every thread's hand that calls it with thread 0; all threads call it.
 PartialSum tree_sum(PartialSum mine, uint thread) {
   tree[thread] = mine;
-#ifndef MUTANT_5  // the barriers dropped: sums of higher subgroups are not yet there
   barrier();
-#endif
+#ifdef MUTANT_5  // the last step is left out
+  for (uint stride = 1u; stride < 128u; stride *= 2u) {
+#else
   for (uint stride = 1u; stride < 256u; stride *= 2u) {
-    if (thread % (2u * stride) == 0u) tree[thread] = joined(tree[thread], tree[thread + stride]);
-#ifndef MUTANT_5
-    barrier();
 #endif
+    if (thread % (2u * stride) == 0u) tree[thread] = joined(tree[thread], tree[thread + stride]);
+    barrier();
   }
   return tree[0];
 }
