@@ -30,9 +30,11 @@ sed "s|^[^:]*:|$out:|" "$work/d" >"$out.d"
 mapfile -t read < <(sed 's/^[^:]*://; s/\\$//' "$work/d" | tr ' ' '\n' | grep . | sort -u)
 mapfile -t mutants < <(cat "$shader" "${read[@]}" | grep -oE '\bMUTANT_[0-9]+' | sed 's/MUTANT_//' | sort -un)
 # Of shared shader code (numbers above 9000) only the faults that the kernel lists.
+mapfile -t listing < <(grep -lE '", 9[0-9]{3},' "$(dirname "$shader")"/*.cpp)
+((${#listing[@]} == 0)) || echo "$out: ${listing[*]}" >>"$out.d"
 listed=()
 for n in "${mutants[@]}"; do
-  ((n < 9000)) || grep -qwF "$n" "$(dirname "$shader")"/*.cpp || continue
+  ((n < 9000)) || grep -qw -- "$n" "${listing[@]}" /dev/null || continue
   listed+=("$n")
   compile "$n" "-DMUTANT_$n"
 done

@@ -40,12 +40,13 @@ struct Look {
   uint shader;
 };
 Look look_of(uint surface) {
-#ifdef MUTANT_3  // one surface too many
+#ifdef MUTANT_3  // one surface too many, the last again
   if (surface > params.surfaces) return Look(kNoMaterial, kUnregistered);
+  const uint material = surfaces[min(surface, params.surfaces - 1u)].material;
 #else
   if (surface >= params.surfaces) return Look(kNoMaterial, kUnregistered);
-#endif
   const uint material = surfaces[surface].material;
+#endif
   if (material >= params.materials) return Look(kNoMaterial, kUnregistered);
   const uint shader = materials[material].shader;
   const bool is_visible = shader < kShaderClasses && params.slot_of_class[shader] != kUnregistered;
@@ -61,7 +62,7 @@ struct Footprint {
   vec2 d_dx;
   vec2 d_dy;
 };
-#ifdef MUTANT_4  // the middle for NaN
+#ifdef MUTANT_4  // the middle for what is beyond
 float usable_uv(float x) { return is_below(x, kLargestUv) ? x : 0.5; }
 #else
 float usable_uv(float x) { return is_below(x, kLargestUv) ? x : 0.0; }

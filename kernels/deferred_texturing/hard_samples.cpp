@@ -143,6 +143,11 @@ std::vector<HardCase> sample_cases() {
        [] { return with_corner(vec2(kNaN, 0.2f)); }},
       {"uv_infinite", "nor is an infinite one", [] { return with_corner(vec2(0.2f, -kInf)); }},
       {"uv_beyond", "nor one past 65536", [] { return with_corner(vec2(1e9f, 3e38f)); }},
+      {"uv_past_the_limit", "70000.25 at all corners: 0, not a quarter",
+       [] {
+         const vec2 at(70000.25f);
+         return sheet(stripes(Format::rgba8_unorm, {8, 8}), {at, at, at, at}).finish();
+       }},
       {"uv_denormal", "flushed or not", [] { return with_corner(vec2(1e-40f, -1e-42f)); }},
       {"texture_none", "no texture is white, and its normal up", [] { return named(kNoTexture, {}); }},
       {"texture_slot_unused", "a slot without an array is white", [] { return named(texture_name(9, 0), {}); }},
