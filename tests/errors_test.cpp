@@ -38,7 +38,7 @@ TEST(Errors, TheLeastErrorComesFirst) {
                                               {&k, nullptr, "fine", "a", {{"error", 1, 0}}}};
   const auto table = report::error_table(rows, {{"fine", {1000, 20}}});
   ASSERT_EQ(table.rows.size(), 2u);
-  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"fine", "1.00 us", "20.0 B", "a", "1"}));
+  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"fine", "1.00 us", "20 B", "a", "1"}));
   EXPECT_EQ(table.rows[1], (std::vector<std::string>{"rough", "-", "-", "a", "3"}));
 }
 

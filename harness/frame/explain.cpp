@@ -37,7 +37,9 @@ ResourceNote note_of(const Graph& g, size_t at) {
   ResourceNote note = {.name = r.name, .readers = readers_of(g, at)};
   note.producer = r.producer != kNobody ? g.nodes[r.producer].kernel->name : r.owner != kNobody ? "case" : "scene";
   std::erase(note.readers, note.producer);
-  if (r.memory == at)
+  if (r.memory == at && r.bytes == 0)
+    note.note = "there is none of it";
+  else if (r.memory == at)
     note.bytes = r.bytes;
   else
     note.note = "shares the memory of " + g.resources[r.memory].name;

@@ -123,8 +123,6 @@ std::vector<Mutant> mutants() {
           {"double_float.glsl", 16, "a pair's lower halves are not added", "class_sliver_1e-6_centre"},
           {"double_float.glsl", 17, "a cross term of a product is left out", "class_sliver_1e-6_centre"},
           {"double_float.glsl", 18, "pairs are never used", "class_sliver_1e-4_centre"},
-          {"perspective_divide.glsl", 30, "weights' derivatives by one vertex off", "patchwork"},
-          {"ray_triangle.glsl", 31, "along y as along x", "patchwork"},
           {"attributes.glsl", 9101, "derivatives transposed", "patchwork"},
           {"attributes.glsl", 9102, "the other side is seen", "patchwork"}};
 }

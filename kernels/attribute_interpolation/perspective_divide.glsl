@@ -18,9 +18,6 @@ Interpolated interpolate(Triangle t) {
   const vec3 d_dx = step_x / (step_x.x + step_x.y + step_x.z) - r.weights;
   const vec3 d_dy = step_y / (step_y.x + step_y.y + step_y.z) - r.weights;
   r.derivatives = vec4(d_dx.yz, d_dy.yz);
-#ifdef MUTANT_30
-  r.derivatives = vec4(d_dx.xy, d_dy.xy);
-#endif
   r.clockwise = area > 0.0;
   return r;
 }

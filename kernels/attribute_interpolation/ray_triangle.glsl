@@ -15,11 +15,7 @@ Interpolated interpolate(Triangle t) {
   r.weights = weights_along(v, a, b, vec3(t.offset / t.half_extent, 1.0), determinant);
   const vec3 right = weights_along(v, a, b, vec3((t.offset + vec2(1, 0)) / t.half_extent, 1.0), unused);
   const vec3 below = weights_along(v, a, b, vec3((t.offset + vec2(0, 1)) / t.half_extent, 1.0), unused);
-#ifdef MUTANT_31
-  r.derivatives = vec4(right.yz - r.weights.yz, right.yz - r.weights.yz);
-#else
   r.derivatives = vec4(right.yz - r.weights.yz, below.yz - r.weights.yz);
-#endif
   r.clockwise = determinant < 0.0;
   return r;
 }

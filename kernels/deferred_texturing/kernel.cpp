@@ -57,11 +57,17 @@ std::vector<Pass> divergent_only() {
   return passes;
 }
 
-// What every variant must touch; texels and commands come on top.
+// Each port once, as `lists` binds them: the lists at their capacity, every texel, every vertex.
 Cost cost(const Case& c) {
   const auto p = c.params<TexturingParams>();
+  uint64_t texels = 0;
+  if (const auto t = c.textures.find("textures"); t != c.textures.end())
+    for (const Texture& texture : t->second) texels += texture.bytes.size();
+  const uint64_t lists =
+      entries(c) * sizeof(uint) + p.waves * sizeof(uint) + rows(c) * (sizeof(CommandRow) + sizeof(DispatchArgs));
   return {.bytes_read = pixels(c) * (sizeof(uvec2) + sizeof(uint) + 2 * sizeof(uvec2)) +
-                        p.surfaces * sizeof(SurfaceRecord) + p.materials * sizeof(MaterialRecord),
+                        p.surfaces * sizeof(SurfaceRecord) + p.materials * sizeof(MaterialRecord) +
+                        p.indices * sizeof(uint) + p.vertices * sizeof(VertexAttributes) + texels + lists,
           .bytes_written = pixels(c) * (4 + 4 + 2 + 4 + sizeof(uint)),
           .operations = pixels(c) * 60};  // UV and gradients 24, tangent frame 36
 }
