@@ -14,10 +14,10 @@ SHARED_CONST uint kShaderOpaque = 0u;          // nothing
 SHARED_CONST uint kShaderMasked = 1u;          // both sides are seen: normals of back faces are turned
 SHARED_CONST uint kShaderTwoLayer = 2u;        // a second material on top, where mask and heights say so
 SHARED_CONST uint kShaderEmissiveDetail = 3u;  // emission and base colour times a detail texture of its own scale
-SHARED_CONST uint kShaderCloth = 4u;           // height of threads in `detail_texture` R, rough between; sheen by lighting
-SHARED_CONST uint kShaderSkin = 5u;            // thickness in `mask_texture`, kept in place of metallic
-SHARED_CONST uint kShaderWet = 6u;             // wetness in `mask_texture` darkens and smooths (Lagarde 2013)
-SHARED_CONST uint kShaderFoliage = 7u;         // as masked; its tint varies by surface
+SHARED_CONST uint kShaderCloth = 4u;    // height of threads in `detail_texture` R, rough between; sheen by lighting
+SHARED_CONST uint kShaderSkin = 5u;     // thickness in `mask_texture`, kept in place of metallic
+SHARED_CONST uint kShaderWet = 6u;      // wetness in `mask_texture` darkens and smooths (Lagarde 2013)
+SHARED_CONST uint kShaderFoliage = 7u;  // as masked; its tint varies by surface
 SHARED_CONST uint kShaderClasses = 8u;
 
 struct MaterialRecord {
