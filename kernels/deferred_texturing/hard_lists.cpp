@@ -116,7 +116,8 @@ std::vector<HardCase> index_cases() {
          return one_class_changed([](Builder& b) {
            const auto n = static_cast<uint32_t>(b.surfaces.size());
            const uint32_t index[] = {n - 1, n, n + 1, 0x3ffffffe, 0x3fffffff};
-           for (size_t i = 0; i < b.visibility.size(); i += 3) b.visibility[i].y = index[i / 3 % 5] | (i & 3) << 30;
+           for (size_t i = 0; i < b.visibility.size(); i += 3)
+             b.visibility[i].y = index[i / 3 % 5] | static_cast<uint32_t>(i & 3) << 30;
          });
        }},
       {"material_out_of_range", "count, count + 1, 2^31 and 2^32 - 1: nothing is shown",

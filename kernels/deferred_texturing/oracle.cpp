@@ -59,7 +59,10 @@ struct Direction {
 };
 Direction direction_of(const Range3& n) {
   glm::dvec3 middle, radius;
-  for (int i = 0; i < 3; ++i) middle[i] = n[i].middle(), radius[i] = n[i].radius();
+  for (int i = 0; i < 3; ++i) {
+    const Range& axis = n[static_cast<size_t>(i)];
+    middle[i] = axis.middle(), radius[i] = axis.radius();
+  }
   const double length = std::sqrt(middle.x * middle.x + middle.y * middle.y + middle.z * middle.z),
                reach = std::sqrt(radius.x * radius.x + radius.y * radius.y + radius.z * radius.z);
   if (!(reach < length)) return {};
