@@ -62,8 +62,8 @@ struct Footprint {
   vec2 d_dx;
   vec2 d_dy;
 };
-#ifdef MUTANT_4  // the middle for what is beyond
-float usable_uv(float x) { return is_below(x, kLargestUv) ? x : 0.5; }
+#ifdef MUTANT_4  // a quarter for what is beyond
+float usable_uv(float x) { return is_below(x, kLargestUv) ? x : 0.25; }
 #else
 float usable_uv(float x) { return is_below(x, kLargestUv) ? x : 0.0; }
 #endif

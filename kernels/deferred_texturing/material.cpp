@@ -20,7 +20,8 @@ RangeLayer layer_of(const MaterialRecord& m, const Filter& filter, const RangeFo
   l.metallic = double{m.metallic} * surface[2];
   l.height = surface[3];
   l.emissive = of(m.emissive) * rgb(filter.sampled(m.emissive_texture, f));
-  l.occlusion = 1.0 + double{m.occlusion_strength} * (filter.sampled(m.occlusion_texture, f)[0] - 1.0);
+  const double strength = m.occlusion_strength > 0 ? std::min(m.occlusion_strength, 1.0f) : 0;  // NaN is 0
+  l.occlusion = 1.0 + strength * (filter.sampled(m.occlusion_texture, f)[0] - 1.0);
   l.normal = {0.0, 0.0, 1.0};
   if (m.normal_texture == kNoTexture) return l;
   const Range4 n = filter.sampled(m.normal_texture, f);
