@@ -32,7 +32,8 @@ Layer layer_of(MaterialRecord m, Footprint f) {
 #ifdef MUTANT_9  // the strength is a factor
   l.occlusion = m.occlusion_strength * sampled(m.occlusion_texture, f).r;
 #else
-  l.occlusion = 1.0 + saturated(m.occlusion_strength) * (sampled(m.occlusion_texture, f).r - 1.0);
+  const float strength = m.occlusion_strength > 0.0 ? min(m.occlusion_strength, 1.0) : 0.0;  // NaN is 0
+  l.occlusion = 1.0 + strength * (sampled(m.occlusion_texture, f).r - 1.0);
 #endif
   l.normal = vec3(0, 0, 1);
   if (m.normal_texture != kNoTexture) {
