@@ -62,11 +62,7 @@ struct Footprint {
   vec2 d_dx;
   vec2 d_dy;
 };
-#ifdef MUTANT_4  // a quarter for what is beyond
-float usable_uv(float x) { return is_below(x, kLargestUv) ? x : 0.25; }
-#else
 float usable_uv(float x) { return is_below(x, kLargestUv) ? x : 0.0; }
-#endif
 float usable_gradient(float x) { return is_below(x, kLargestGradient) ? x : kLargestGradient; }
 vec2 usable_gradient(vec2 d) { return vec2(usable_gradient(d.x), usable_gradient(d.y)); }
 Footprint footprint(vec2 uv, vec2 d_dx, vec2 d_dy) {

@@ -7,7 +7,6 @@ std::vector<Mutant> mutants() {
       {"common.glsl", 1, "the last column is left out", "one_pixel"},
       {"common.glsl", 2, "the instanced flag counts as part of the surface", "flags"},
       {"common.glsl", 3, "one surface too many, the last again", "surface_out_of_range"},
-      {"common.glsl", 4, "a quarter for a coordinate that is beyond", "uv_past_the_limit"},
       {"common.glsl", 5, "all meshes begin at the first vertex", "flags"},
       {"common.glsl", 6, "only the way across is minified", "gradient_of_y"},
       {"common.glsl", 7, "the third vertex counts as the second", "magnified"},
