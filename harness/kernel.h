@@ -18,7 +18,6 @@
 #include "harness/layout_table.h"
 
 namespace assay {
-
 using Bytes = std::vector<std::byte>;
 
 // ---- Sizes ---------------------------------------------------------------------------------------------------------
@@ -380,8 +379,8 @@ struct Kernel {
   std::function<Case(Extent)> typical;  // the benchmark's input at an extent
   std::vector<Extent> extents;          // benchmarked, the first is CI's
   std::function<Case(const FrameInputs&)> frame =
-      {};                             // parameters and producerless inputs in the frame; empty: not in it
-  double undecided_limit = 1e-4;      // share of elements judged by `between` in random trials that may be undecided
+      {};                         // parameters and producerless inputs in the frame; empty: not in it
+  double undecided_limit = 1e-4;  // share of `between`'s elements, of typical and random cases, that may be undecided
   std::string undecided_reason = {};  // why it is another than the rule's 1e-4
   ErrorTable errors = {};
 };
@@ -398,5 +397,4 @@ inline bool has_port(const Variant& v, const Port& p) {
 }
 const Port& port_of(const Kernel&, const std::string& name);
 const std::vector<Bound>& bounds_of(const Kernel&, const Variant&);
-
 }  // namespace assay
