@@ -1,5 +1,11 @@
-find_program(GLSLANG glslangValidator REQUIRED)
-find_program(SPIRV_VAL spirv-val REQUIRED)
+include_guard(GLOBAL)
+find_package(glslang REQUIRED CONFIG)
+find_package(SPIRV-Tools REQUIRED CONFIG)
+# Runs in the build, so it is built without sanitizers.
+add_executable(compile_shader ${CMAKE_SOURCE_DIR}/harness/cmake/compile_shader.cpp)
+target_link_libraries(compile_shader PRIVATE glslang::glslang glslang::SPIRV glslang::glslang-default-resource-limits
+                      SPIRV-Tools-static)
+target_compile_options(compile_shader PRIVATE ${ASSAY_WARNINGS})
 
 # assay_kernels(<target> <dir>): an OBJECT library of every <dir>/*/kernel.cpp folder, C++ and embedded SPIR-V.
 # Sets <target>_FOLDERS and <target>_SHADERS in the caller.
@@ -22,10 +28,10 @@ function(assay_kernels target dir)
       set(out ${CMAKE_CURRENT_BINARY_DIR}/${id}.spv.cpp)
       add_custom_command(
         OUTPUT ${out}
-        DEPENDS ${shader} ${CMAKE_SOURCE_DIR}/harness/cmake/compile_shader.sh
+        BYPRODUCTS ${out}.spv
+        DEPENDS ${shader} compile_shader
         DEPFILE ${out}.d
-        COMMAND bash ${CMAKE_SOURCE_DIR}/harness/cmake/compile_shader.sh ${GLSLANG} ${SPIRV_VAL} ${CMAKE_SOURCE_DIR}
-                ${name} ${shader} ${id} ${out}
+        COMMAND compile_shader ${CMAKE_SOURCE_DIR} ${name} ${shader} ${id} ${out}
         COMMENT "GLSL ${name}/${file}" VERBATIM)
       list(APPEND objects ${out})
       list(APPEND ids ${id})
