@@ -93,7 +93,7 @@ void run_cases(KernelRun& run) {
     hard = hard_cases(run.kernel, o.fixtures, o.nightly);
     typical = typical_case(run.kernel);
   }
-  const uint64_t trials = !o.case_name.empty() ? 0 : o.seed ? 1 : o.trials;
+  const uint64_t trials = o.case_name.empty() ? o.trials : 0;
   const uint64_t named = hard.size() + typical.size(), of = named + trials;
   run_named(run, hard, Kind::hard, 0, of);
   run_named(run, typical, Kind::typical, hard.size(), of);
@@ -109,8 +109,10 @@ void judge_default(KernelRun& run) {
 }
 
 void finish(KernelRun& run) {
-  judge_undecided(run, run.of_typical, "the typical input");
-  if (!run.options.seed && run.options.trials >= kTellingTrials) judge_undecided(run, run.of_trials, "random trials");
+  if (run.options.variant.empty()) {  // the limit is of all variants together
+    judge_undecided(run, run.of_typical, "the typical input");
+    if (run.options.trials >= kTellingTrials) judge_undecided(run, run.of_trials, "random trials");
+  }
   judge_default(run);
   const auto ran = [](const VariantState& s) { return s.result.skipped.empty(); };
   if (!std::ranges::any_of(run.variants, ran)) run.result.complaints.push_back("no variant can run on this device");

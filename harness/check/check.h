@@ -18,7 +18,7 @@ struct Options {
   std::vector<std::string> kernels = {};  // empty: all
   std::string variant = {};               // name or label; empty: all
   std::string case_name = {};  // a hard case, `typical`, a fixture of the kernel, or a path to a case file; empty: all
-  std::optional<uint64_t> seed = {};  // one random trial
+  std::optional<uint64_t> seed = {};  // of the first random trial; given, nothing but the trials runs
   uint32_t trials = 50;
   bool hard = true;           // run the hard cases and the typical input
   bool nightly = false;       // the large ones too, and oracles unsampled

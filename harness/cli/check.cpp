@@ -18,7 +18,6 @@ struct Flags {
   Common common;
   check::Options options;
   uint64_t seed = 0;
-  bool seeded = false;
 };
 
 // The case must be one of some chosen kernel; a file must be readable and for one of them.
@@ -80,7 +79,6 @@ int run(Flags& f) {
   must_have_variant(kernels, f.options.variant);
   must_have_case(kernels, f.options);
   probe_writable(f.common.json);
-  if (f.seeded) f.options.seed = f.seed;
   auto d = open_device(f.common);
   report::Progress progress;
   f.options.progress = [&](const std::string& what, uint64_t done, uint64_t of) { progress.update(what, done, of); };
@@ -113,13 +111,18 @@ void add_check(CLI::App& app, Action& action) {
                       "Only this variant, by name or with its constants, as in reduce[WIDTH=4]");
   command->add_option("--case", f->options.case_name,
                       "Only this hard case, fixture or case file, or the typical input; no random trials");
-  auto* seed = command->add_option("--seed", f->seed, "Only this random trial");
-  command->add_option("--trials", f->options.trials, "Random trials a variant")->capture_default_str()->type_name("N");
+  auto* seed =
+      command->add_option("--seed", f->seed, "Only this random trial, or with --trials so many from this one on");
+  auto* trials = command->add_option("--trials", f->options.trials, "Random trials a variant");
+  trials->capture_default_str()->type_name("N");
   command->add_flag("--nightly", f->options.nightly, "The large cases too, oracles unsampled");
   add_device_flags(command, f->common);
   add_json_flag(command, f->common, "Results as JSON");
-  command->callback([&action, f, seed] {
-    f->seeded = seed->count() > 0;
+  command->callback([&action, f, seed, trials] {
+    if (seed->count() > 0) {
+      f->options.seed = f->seed;
+      if (trials->count() == 0) f->options.trials = 1;
+    }
     action = [f] { return run(*f); };
   });
 }
