@@ -1,6 +1,6 @@
 #version 460
 // The pixels that no list holds: 8 bytes read of each, and only these written.
-#include "kernels/deferred_texturing/shade.glsl"
+#include "kernels/deferred_texturing/store.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
 

@@ -1,7 +1,19 @@
-// Materials sampled, and what each shader class (formats/material.h) makes of its own: a step a class.
+// Materials sampled, and what each shader class (formats/material.h) makes of its own: a step a class. A shader holds
+// the steps that it asks for, HAS_CLOTH for one or HAS_EVERY_CLASS.
 #ifndef DEFERRED_TEXTURING_CLASSES
 #define DEFERRED_TEXTURING_CLASSES
-#include "kernels/deferred_texturing/common.glsl"
+#ifdef HAS_EVERY_CLASS
+#define HAS_MASKED
+#define HAS_TWO_LAYER
+#define HAS_EMISSIVE_DETAIL
+#define HAS_CLOTH
+#define HAS_SKIN
+#define HAS_WET
+#define HAS_FOLIAGE
+#endif
+#include "kernels/deferred_texturing/footprint.glsl"
+#define TEXTURES_SLOT 8
+#include "harness/glsl/textures.glsl"
 
 struct Layer {
   vec3 base;        // linear
@@ -51,7 +63,7 @@ Layer layer_of(MaterialRecord m, Footprint f) {
 vec4 extra_of(uint shader, MaterialRecord m, Footprint f) {
   const bool is_detail = shader == kShaderEmissiveDetail || shader == kShaderCloth;
   if (!is_detail && shader != kShaderTwoLayer && shader != kShaderSkin && shader != kShaderWet) return vec4(1);
-#ifdef MUTANT_11  // the detail's scale is forgotten
+#if !(defined(HAS_EMISSIVE_DETAIL) || defined(HAS_CLOTH)) || defined(MUTANT_11)  // the detail's scale is forgotten
   const float scale = 1.0;
 #else
   const float scale = is_detail ? m.detail_scale : 1.0;
@@ -60,6 +72,7 @@ vec4 extra_of(uint shader, MaterialRecord m, Footprint f) {
                  footprint(scale * f.uv, scale * f.d_dx, scale * f.d_dy));
 }
 
+#ifdef HAS_TWO_LAYER
 // Mishkinis 2013, Advanced Terrain Texture Splatting: of two heights raised by their shares, the higher wins, and where
 // they differ by less than `depth` they mix. The upper layer's weight.
 float upper_weight(float lower_height, float upper_height, float mask, float depth) {
@@ -90,28 +103,36 @@ void blend_layers(inout Layer l, Layer top, float mask, float depth) {
   l.emissive = mix(l.emissive, top.emissive, w);
   l.occlusion = mix(l.occlusion, top.occlusion, w);
 }
+#endif
 
+#ifdef HAS_EMISSIVE_DETAIL
 void add_detail(inout Layer l, vec3 detail) {
   l.base *= detail;
 #ifndef MUTANT_15  // emission without its detail
   l.emissive *= detail;
 #endif
 }
+#endif
 
+#ifdef HAS_CLOTH
 // Threads that stand high are as smooth as the material; between them the cloth is rough.
 #ifdef MUTANT_16  // threads are rough and gaps smooth
 void weave(inout Layer l, float height) { l.roughness = mix(l.roughness, 1.0, height); }
 #else
 void weave(inout Layer l, float height) { l.roughness = mix(1.0, l.roughness, height); }
 #endif
+#endif
 
+#ifdef HAS_SKIN
 // Skin is no metal: the channel holds its thickness (formats/gbuffer.h).
 #ifdef MUTANT_17  // thickness of metal
 void thicken(inout Layer l, float thickness) { l.metallic *= thickness; }
 #else
 void thicken(inout Layer l, float thickness) { l.metallic = thickness; }
 #endif
+#endif
 
+#ifdef HAS_WET
 // Lagarde 2013, Water drop 3b, Physically based wet surfaces: rough dielectrics are porous, and water in their pores
 // darkens and smooths them.
 void soak(inout Layer l, float wetness) {
@@ -126,7 +147,9 @@ void soak(inout Layer l, float wetness) {
   l.roughness *= mix(1.0, soaked, 0.5 * wetness);
 #endif
 }
+#endif
 
+#ifdef HAS_FOLIAGE
 // O'Neill 2014, PCG: the output permutation as a hash.
 uint hash(uint x) {
   x = x * 747796405u + 2891336453u;
@@ -136,15 +159,17 @@ uint hash(uint x) {
 void tint(inout Layer l, uint surface) {
   l.base *= mix(kFoliageTint, vec3(1), float(hash(surface) >> 24) / 255.0);
 }
+#endif
 
-// `shader` is a constant of a class's own shader, so that the others' code goes. The loop, of one turn or two, holds the
-// code of a layer once.
+// `shader` is a constant of a class's own shader.
 Layer layer_of_class(uint shader, MaterialRecord m, Footprint f, uint surface) {
+#ifdef HAS_TWO_LAYER
 #ifdef MUTANT_14  // one layer too many
   const bool has_top = shader == kShaderTwoLayer && m.layer <= params.materials;
 #else
   const bool has_top = shader == kShaderTwoLayer && m.layer < params.materials;
 #endif
+  // A loop, of one turn or two, that holds the code of a layer once.
   Layer l, top;
   MaterialRecord record = m;
   for (uint i = 0u; i < (has_top ? 2u : 1u); ++i) {
@@ -152,19 +177,34 @@ Layer layer_of_class(uint shader, MaterialRecord m, Footprint f, uint surface) {
     if (i == 0u) l = top;
     if (has_top) record = materials[m.layer];
   }
+#else
+  Layer l = layer_of(m, f);
+#endif
   const vec4 extra = extra_of(shader, m, f);
   switch (shader) {
+#ifdef HAS_TWO_LAYER
     case kShaderTwoLayer:
       if (has_top) blend_layers(l, top, extra.r, m.blend_depth);
       break;
+#endif
+#ifdef HAS_EMISSIVE_DETAIL
     case kShaderEmissiveDetail: add_detail(l, extra.rgb); break;
+#endif
+#ifdef HAS_CLOTH
     case kShaderCloth: weave(l, extra.r); break;
+#endif
+#ifdef HAS_SKIN
     case kShaderSkin: thicken(l, extra.r); break;
+#endif
+#ifdef HAS_WET
     case kShaderWet: soak(l, extra.r); break;
+#endif
+#ifdef HAS_FOLIAGE
 #ifdef MUTANT_20  // all instances have one tint
     case kShaderFoliage: tint(l, m.features); break;
 #else
     case kShaderFoliage: tint(l, surface); break;
+#endif
 #endif
   }
   return l;

@@ -1,5 +1,6 @@
 #version 460
 // What the lists replace: every pixel takes its class's branch, and a wave with several classes takes them all.
+#define HAS_EVERY_CLASS
 #include "kernels/deferred_texturing/shade.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;

@@ -1,5 +1,5 @@
-// A shader class over its pixel commands. The includer says which, SHADER_CLASS, and defines ONE_SURFACE where it is
-// dispatched over waves of one surface only.
+// A shader class over its pixel commands. The includer says which, SHADER_CLASS, and what of classes.glsl it needs, and
+// defines ONE_SURFACE where it is dispatched over waves of one surface only.
 #include "kernels/deferred_texturing/shade.glsl"
 #include "harness/formats/pixel_commands.h"
 layout(constant_id = 0) const uint FIRST_ROW = 0u;  // of the slot's rows, the first that the pass is dispatched for

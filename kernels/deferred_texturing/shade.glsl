@@ -2,16 +2,13 @@
 #ifndef DEFERRED_TEXTURING_SHADE
 #define DEFERRED_TEXTURING_SHADE
 #include "kernels/deferred_texturing/classes.glsl"
-#define GBUFFER_WRITES 9
-#include "harness/glsl/gbuffer.glsl"
-WRITES(13, uint, features);
+#include "kernels/deferred_texturing/store.glsl"
 
 bool is_seen_from_both_sides(MaterialRecord m) {
-#ifdef MUTANT_21  // masked materials need the flag
-  return (m.flags & kMaterialDoubleSided) != 0u;
-#else
-  return (m.flags & kMaterialDoubleSided) != 0u || m.shader == kShaderMasked || m.shader == kShaderFoliage;
+#if (defined(HAS_MASKED) || defined(HAS_FOLIAGE)) && !defined(MUTANT_21)  // masked materials need the flag
+  if (m.shader == kShaderMasked || m.shader == kShaderFoliage) return true;
 #endif
+  return (m.flags & kMaterialDoubleSided) != 0u;
 }
 
 // World; of a back face that is seen, its other side's.
@@ -44,13 +41,5 @@ SurfaceAttributes attributes_at(uvec2 pixel) {
 GBufferTexel texel_of(Layer l, SurfaceAttributes a, bool both_sides) {
   return GBufferTexel(l.base, l.roughness, shading_normal(l.normal, a, both_sides), l.metallic, l.occlusion,
                       l.emissive);
-}
-void store(uvec2 pixel, GBufferTexel t, uint bits) {
-  store_gbuffer(pixel, t);
-  features[pixel_number(pixel)] = bits;
-}
-void store_nothing(uvec2 pixel) {
-  store_no_surface(pixel);
-  features[pixel_number(pixel)] = 0u;
 }
 #endif
