@@ -3,10 +3,12 @@
 #pragma once
 
 #include "harness/oracle.h"
+#include "harness/rounded.h"
 #include "kernels/attribute_interpolation/layout.h"
-#include "kernels/attribute_interpolation/rounded.h"
 
 namespace assay::attribute_interpolation {
+
+using interpolation::Few;
 
 struct Interval {
   double low, high;

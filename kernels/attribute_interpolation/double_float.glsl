@@ -1,8 +1,8 @@
 // As the compensated formula; where that is ill-conditioned, in pairs of floats (Joldes, Muller, Popescu 2017). Such
 // triangles are rare, and a wave without one does not pay.
-#include "kernels/attribute_interpolation/products.glsl"
-#include "kernels/attribute_interpolation/rescale.glsl"
-#include "kernels/attribute_interpolation/weigh.glsl"
+#include "harness/glsl/interpolation/products.glsl"
+#include "harness/glsl/interpolation/rescale.glsl"
+#include "harness/glsl/interpolation/weigh.glsl"
 
 struct Pair {
   float high, low;

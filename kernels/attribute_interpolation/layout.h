@@ -1,6 +1,7 @@
 #ifndef ATTRIBUTE_INTERPOLATION_LAYOUT_H
 #define ATTRIBUTE_INTERPOLATION_LAYOUT_H
 #include "harness/formats/attributes.h"
+#include "harness/formats/interpolation.h"
 #include "harness/formats/scene.h"
 #include "harness/formats/visibility.h"
 #include "harness/shared.h"
@@ -13,11 +14,9 @@ struct AttributeParams {
   uint indices;
   uint surfaces;
   uint clip_samples;   // above 0, the second entry: pixel i is sample i, the visibility buffer is not looked at
-  float probe_factor;  // 1 + 2^-12 and -(1 + 2^-11): factor * factor + addend is 2^-24 if fused, else 0. Not constants,
-  float probe_addend;  // so that the device works it out
+  float probe_factor;  // kProbeFactor, kProbeAddend
+  float probe_addend;
 };
-SHARED_CONST float kProbeFactor = 1.000244140625f;
-SHARED_CONST float kProbeAddend = -1.00048828125f;
 
 // The second entry: a triangle in clip space (x, y, w) seen at the centre of a pixel of a viewport. It has no
 // attributes: normal +z, tangent +x.
@@ -47,13 +46,6 @@ struct DecodedAttributes {
   float handedness;
   uint front_facing;
 };
-
-// Full accuracy is promised where the largest magnitude of a triangle's clip coordinates lies in 2^-100 .. 2^100;
-// beyond, and where there is no area to divide by, weights are 1/3 and derivatives 0. Exponents as floats are biased by
-// 127.
-SHARED_CONST uint kSmallestExponent = 27u;
-SHARED_CONST uint kLargestExponent = 227u;
-SHARED_CONST float kSmallestArea = 7.8886090522101181e-31f;  // 2^-100, of coordinates scaled to 1 .. 2
 
 // double_float: from this condition number on, where the half step of a stored weight is within the compensated
 // formula's bound (README.md), the weights are worked out in pairs of floats.

@@ -3,7 +3,7 @@
 #include <cfloat>
 
 #include "kernels/attribute_interpolation/codes.h"
-#include "kernels/attribute_interpolation/tangent_frame.h"
+#include "kernels/attribute_interpolation/triangle.h"
 
 namespace assay::attribute_interpolation {
 

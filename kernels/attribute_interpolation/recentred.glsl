@@ -1,6 +1,6 @@
 // Relative to the pixel's centre by way of one vertex and two edges, with single multiply-adds: the cheapest form that
 // bears small triangles. Weights are not kept inside; the packing does that.
-#include "kernels/attribute_interpolation/rescale.glsl"
+#include "harness/glsl/interpolation/rescale.glsl"
 
 Interpolated interpolate(Triangle t) {
   Interpolated r = degenerate();

@@ -11,26 +11,6 @@ Scene scene_of(const Case& c) {
 
 namespace {
 
-// float * float is exact in double, and float + float, rounded to double and then to float, is as if rounded once
-// (Figueroa 1995): the roundings of `precise` shader code without a host's fused operations in the way.
-float product(float a, float b) { return static_cast<float>(double{a} * b); }
-float sum(float a, float b) { return static_cast<float>(double{a} + b); }
-
-// One clip row. What a device that flushes denormals may leave out of it is added to `flushed`.
-float along(const vec4& row, const vec3& p, double& flushed) {
-  const float terms[] = {product(row.x, p.x), product(row.y, p.y), product(row.z, p.z), row.w};
-  float total = terms[0];
-  for (int i = 1; i < 4; ++i) total = sum(total, terms[i]);
-  const auto is_tiny = [](float v) { return v != 0 && std::fabs(v) < 0x1p-100f; };
-  if (std::any_of(std::begin(terms), std::end(terms), is_tiny) || is_tiny(total)) flushed = 8 * kFlushed;
-  return total;
-}
-
-void place(SeenTriangle& t, uvec2 pixel, uvec2 viewport) {
-  t.half_width = 0.5 * viewport.x, t.half_height = 0.5 * viewport.y;
-  t.offset_x = pixel.x + 0.5 - t.half_width, t.offset_y = pixel.y + 0.5 - t.half_height;
-}
-
 uint last(uint i, uint count) { return std::min(i, count - 1); }
 
 }  // namespace
@@ -51,9 +31,7 @@ std::optional<SeenTriangle> triangle_at(const Scene& s, uint64_t pixel) {
   for (int k = 0; k < 3; ++k) {
     const uint index = s.indices[last(t.surface->first_index + 3 * shown.x + static_cast<uint>(k), s.params.indices)];
     const uint vertex = last(index + t.surface->vertex_offset, s.params.vertices);
-    const vec3 p = s.positions[vertex];
-    t.corners[k] = {along(t.surface->clip_x, p, t.flushed[k]), along(t.surface->clip_y, p, t.flushed[k]),
-                    along(t.surface->clip_w, p, t.flushed[k])};
+    set_corner(t, k, *t.surface, s.positions[vertex]);
     t.attributes[k] = &s.attributes[vertex];
   }
   place(t, uvec2(pixel % s.params.width, pixel / s.params.width), uvec2(s.params.width, s.params.height));
@@ -67,90 +45,6 @@ const char* name_of(Formula f) {
 }
 
 namespace {
-
-constexpr Hit thirds() {
-  const RoundedDouble third = {1.0 / 3, u / 3};
-  return {.determined = true, .weights = {third, third, third}, .derivatives = {}};
-}
-
-// Corners scaled by a power of two so that the largest coordinate is in 1..2; nothing where that is not promised.
-struct Corner {
-  RoundedWide x, y, w;
-};
-std::optional<Few<Corner, 3>> scaled(const SeenTriangle& t) {
-  float largest = 0;
-  for (const vec3& v : t.corners)
-    for (const float c : {v.x, v.y, v.z}) {
-      if (!std::isfinite(c)) return {};
-      largest = std::max(largest, std::fabs(c));
-    }
-  constexpr int kBias = 127;
-  const int exponent = largest == 0 ? -1000 : std::ilogb(largest);
-  if (exponent < static_cast<int>(kSmallestExponent) - kBias || exponent > static_cast<int>(kLargestExponent) - kBias)
-    return {};
-  Few<Corner, 3> corners;
-  const auto scale = [&](float v, int k) -> RoundedWide {
-    const double s = std::ldexp(double{v}, -exponent);
-    // Exact unless it becomes a denormal, which may be flushed.
-    const double lost = s != 0 && std::fabs(s) < 0x1p-100 ? 2 * kFlushed : 0;
-    return {Wide(s), lost + std::ldexp(t.flushed[k], -exponent)};
-  };
-  for (int k = 0; k < 3; ++k)
-    corners[k] = {scale(t.corners[k].x, k), scale(t.corners[k].y, k), scale(t.corners[k].z, k)};
-  return corners;
-}
-
-using Three = Few<RoundedWide, 3>;
-
-// Relative to the pixel's centre, pixels times w: the corners and twice the areas times two w.
-struct Recentred {
-  Three x, y, areas;
-  RoundedWide area;  // their sum
-};
-
-// Weights from the three areas, derivatives from them and differences of recentred corners (y2 - y0, y0 - y1, x0 - x2,
-// x1 - x0): the last steps of both clamped formulas.
-Hit weigh(const Three& areas, const RoundedWide& area, const Few<RoundedWide, 4>& differences,
-          const Few<Corner, 3>& corners) {
-  Hit h;
-  if (!(magnitude(area.value) > area.error)) return h;
-  h.clockwise = area.value > 0;
-  Three inside;
-  for (int k = 0; k < 3; ++k) inside[k] = not_negative(h.clockwise ? areas[k] : -areas[k]);
-  const RoundedWide total = inside[0] + inside[1] + inside[2];
-  if (!(magnitude(total.value) - total.error > 2.0 * kSmallestArea)) return h;
-  h.determined = true;
-  const RoundedWide inverse = reciprocal(total);
-  RoundedWide w;
-  for (int k = 0; k < 3; ++k) {
-    const RoundedWide weight = inside[k] * inverse;
-    h.weights[k] = narrowed(weight);
-    w = w + weight * corners[k].w;
-  }
-  const RoundedWide scale = not_negative(w) * (h.clockwise ? inverse : -inverse);
-  for (int k = 0; k < 4; ++k) h.derivatives[k] = narrowed(scale * differences[k]);
-  return h;
-}
-
-RoundedWide exact(double v) { return {Wide(v), 0}; }
-
-Recentred recentred_by_compensation(const SeenTriangle& t, const Few<Corner, 3>& corners) {
-  Recentred r;
-  for (int k = 0; k < 3; ++k) {
-    r.x[k] = difference_of_products(exact(t.half_width), corners[k].x, exact(t.offset_x), corners[k].w);
-    r.y[k] = difference_of_products(exact(t.half_height), corners[k].y, exact(t.offset_y), corners[k].w);
-  }
-  for (int k = 0; k < 3; ++k) {
-    const int a = (k + 1) % 3, b = (k + 2) % 3;
-    r.areas[k] = difference_of_products(r.x[a], r.y[b], r.x[b], r.y[a]);
-  }
-  r.area = r.areas[0] + r.areas[1] + r.areas[2];
-  return r;
-}
-
-Hit hit_compensated(const Recentred& r, const Few<Corner, 3>& corners) {
-  return weigh(r.areas, r.area, {r.y[2] - r.y[0], r.y[0] - r.y[1], r.x[0] - r.x[2], r.x[1] - r.x[0]}, corners);
-}
 
 // Sums and products of pairs of floats: relative errors of 3u^2 and 7u^2 (Joldes, Muller, Popescu 2017, algorithms 6
 // and 10), products of floats as pairs none.
@@ -243,6 +137,24 @@ Hit hit(const SeenTriangle& t, Formula f) {
   if (f == Formula::paired) return hit_paired(t, *corners);
   if (f == Formula::edges) return hit_by_edges(t, *corners);
   return hit_compensated(recentred_by_compensation(t, *corners), *corners);
+}
+
+TangentFrame frame_of(const SeenTriangle& t, const Hit& h) {
+  if (!t.surface) return {axis(2), axis(0), false};
+  return frame_of(*t.surface, t.flipped, t.attributes, h);
+}
+
+Few<RoundedDouble, 2> lambert(const Direction& d) {
+  Few<RoundedDouble, 2> e;
+  const double z = std::fabs(d.xyz[2].value), spread = std::sqrt(1 + z);
+  for (int k = 0; k < 2; ++k) {
+    if (is_zero(d.xyz[k])) continue;
+    // The divisor is 1 or more, and its root changes by half of what z does, or less; a sum, 2 ulp of inversesqrt and a
+    // product are 6u.
+    const double c = d.xyz[k].value / spread;
+    e[k] = {c, d.xyz[k].error + 0.5 * std::fabs(c) * d.xyz[2].error + 6 * u * std::fabs(c)};
+  }
+  return e;
 }
 
 }  // namespace assay::attribute_interpolation

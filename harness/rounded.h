@@ -6,7 +6,7 @@
 
 #include "harness/oracle.h"
 
-namespace assay::attribute_interpolation {
+namespace assay::interpolation {
 
 using Wide = __float128;
 
@@ -105,4 +105,4 @@ inline RoundedDouble narrowed(const RoundedWide& a) {
   return {v, a.error + 0x1p-53 * std::fabs(v)};
 }
 
-}  // namespace assay::attribute_interpolation
+}  // namespace assay::interpolation

@@ -1,4 +1,7 @@
-// Differences of products that lose nothing to cancellation.
+// Differences of products that lose nothing to cancellation. The includer's params have probe_factor and probe_addend
+// (formats/interpolation.h).
+#ifndef HARNESS_GLSL_INTERPOLATION_PRODUCTS
+#define HARNESS_GLSL_INTERPOLATION_PRODUCTS
 layout(constant_id = 1) const uint SPLIT_PRODUCTS = 0u;  // 1: never by fma, for comparison
 
 // Whether this device's fma rounds once; Vulkan does not promise it. The same for every invocation.
@@ -20,7 +23,7 @@ float product_error(float a, float b, float p) {
 float difference_of_products(bool fused, float a, float b, float c, float d) {
   precise const float q = c * d;
   if (fused) {
-#ifdef MUTANT_10
+#ifdef MUTANT_9106  // what the product lost is not given back
     precise const float error = 0.0;
 #else
     precise const float error = fma(-c, d, q);
@@ -30,7 +33,7 @@ float difference_of_products(bool fused, float a, float b, float c, float d) {
     return sum;
   }
   precise const float p = a * b;
-#ifdef MUTANT_10
+#ifdef MUTANT_9106
   precise const float error = 0.0;
 #else
   precise const float error = product_error(a, b, p) - product_error(c, d, q);
@@ -38,3 +41,4 @@ float difference_of_products(bool fused, float a, float b, float c, float d) {
   precise const float sum = (p - q) + error;
   return sum;
 }
+#endif
