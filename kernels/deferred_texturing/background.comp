@@ -7,8 +7,8 @@ layout(local_size_x = 16, local_size_y = 16) in;
 void main() {
   const uvec2 pixel = gl_GlobalInvocationID.xy;
 #ifdef MUTANT_29  // only the sky is background
-  if (on_screen(pixel) && visible_at(pixel).y == kVisibilitySurfaceMask) store_nothing(pixel);
+  if (on_screen(pixel) && visible_at(pixel).surface == kVisibilitySurfaceMask) store_nothing(pixel);
 #else
-  if (on_screen(pixel) && look_of(visible_at(pixel).y).shader == kUnregistered) store_nothing(pixel);
+  if (on_screen(pixel) && look_of(visible_at(pixel).surface).shader == kUnregistered) store_nothing(pixel);
 #endif
 }

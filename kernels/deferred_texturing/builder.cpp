@@ -38,13 +38,47 @@ uint flags_of(const Frame& f) {
          (f.tangent.z < 0 ? kAttributeTangentNegative : 0) | (f.left_handed ? kAttributeLeftHanded : 0);
 }
 
+// A vertex of the sheet's triangle that a pixel lies in: its corner, its weight on the screen, and how that changes.
+struct Weighted {
+  uint corner;
+  double weight, dx, dy;  // a pixel
+};
 // A sheet's first triangle has its left top, right top and left bottom corners, the second the other three.
-Interpolated on_sheet(const Rectangle& r, uint32_t x, uint32_t y, uint32_t& triangle) {
-  const double fx = (x - r.x + 0.5) / r.width, fy = (y - r.y + 0.5) / r.height;
+std::array<Weighted, 3> on_screen(const Rectangle& r, bool clockwise, uint32_t x, uint32_t y, uint32_t& triangle) {
+  const double dx = 1.0 / r.width, dy = 1.0 / r.height, fx = (x - r.x + 0.5) * dx, fy = (y - r.y + 0.5) * dy;
   triangle = fx + fy < 1 ? 0 : 1;
-  if (triangle == 0) return {{fx, fy}, {1.0 / r.width, 0}, {0, 1.0 / r.height}, {}};
-  return {{1 - fx, 1 - fy}, {-1.0 / r.width, 0}, {0, -1.0 / r.height}, {}};
+  std::array<Weighted, 3> v = {{{0, 1 - fx - fy, -dx, -dy}, {1, fx, dx, 0}, {2, fy, 0, dy}}};
+  if (triangle == 1) v = {{{3, fx + fy - 1, dx, dy}, {2, 1 - fx, -dx, 0}, {1, 1 - fy, 0, -dy}}};
+  if (!clockwise) std::swap(v[1], v[2]);
+  return v;
 }
+
+glm::dvec3 corner_normal(const Frame& f, const Shape& s, uint corner) {
+  const glm::dvec3 across = f.tangent, down = glm::cross(f.normal, f.tangent);
+  return f.normal + s.bulge * ((corner % 2 == 0 ? -1.0 : 1.0) * across + (corner / 2 == 0 ? -1.0 : 1.0) * down);
+}
+
+// Corrected for perspective: weights over w, in proportion.
+Interpolated interpolated(const std::array<Weighted, 3>& v, const Frame& frame, const Shape& shape) {
+  double sum = 0, sum_dx = 0, sum_dy = 0;
+  for (const Weighted& k : v) {
+    const double w = shape.depths[k.corner];
+    sum += k.weight / w, sum_dx += k.dx / w, sum_dy += k.dy / w;
+  }
+  Interpolated p = {{}, {}, {}, frame};
+  p.frame.normal = {};
+  for (size_t k = 0; k < 3; ++k) {
+    const double w = shape.depths[v[k].corner], weight = v[k].weight / w / sum;
+    p.frame.normal += weight * corner_normal(frame, shape, v[k].corner);
+    if (k == 0) continue;
+    const int of = static_cast<int>(k) - 1;
+    p.weights[of] = weight;
+    p.d_dx[of] = (v[k].dx / w - weight * sum_dx) / sum, p.d_dy[of] = (v[k].dy / w - weight * sum_dy) / sum;
+  }
+  return p;
+}
+
+const glm::dvec3 kMoved = {0.25, -0.5, 0.75};  // clip space, from where the mesh lies
 
 bool is_shown(const Builder& b, uint32_t shader) {
   const auto is_of_class = [&](uint32_t material) {
@@ -78,38 +112,39 @@ uint32_t Builder::add_material(const MaterialRecord& m) {
 }
 
 uint32_t Builder::add_sheet(const Rectangle& r, uint32_t material, const std::array<vec2, 4>& corners,
-                            const Frame& frame) {
+                            const Frame& frame, const Shape& shape) {
   const auto surface = static_cast<uint32_t>(surfaces.size());
+  const bool clockwise = frame.front_facing == shape.mirrored;
+  const glm::dvec3 stretched = {shape.mirrored ? -2 : 2, 1, 0.5};  // from the mesh's space to the world
   SurfaceRecord s = {};
+  s.clip_x = vec4(1, 0, 0, kMoved.x), s.clip_y = vec4(0, 1, 0, kMoved.y), s.clip_w = vec4(0, 0, 1, kMoved.z);
+  s.world_x = vec4(stretched.x, 0, 0, 0), s.world_y = vec4(0, stretched.y, 0, 0);
+  s.world_z = vec4(0, 0, stretched.z, 0), s.flags = shape.mirrored ? kSurfaceFlipped : 0;
   s.material = material, s.first_index = static_cast<uint32_t>(indices.size()), s.triangle_count = 2;
   s.vertex_offset = static_cast<uint32_t>(vertices.size());
   surfaces.push_back(s);
-  // Left bottom and right top are the second triangle's second and third vertex: a step right from its first, right
-  // bottom, lessens the weight of the left one.
-  for (const uint i : {0u, 1u, 2u, 3u, 2u, 1u}) indices.push_back(i);
-  for (const vec2& uv : corners) vertices.push_back({vec3(frame.normal), vec4(vec3(frame.tangent), 1), uv});
+  for (const uint i : clockwise ? std::array{0u, 1u, 2u, 3u, 2u, 1u} : std::array{0u, 2u, 1u, 3u, 1u, 2u})
+    indices.push_back(i);
+  for (uint k = 0; k < 4; ++k) {
+    const double w = shape.depths[k], x = r.x + (k % 2) * r.width, y = r.y + (k / 2) * r.height;
+    const glm::dvec3 clip = w * glm::dvec3(2 * x / extent.width - 1, 2 * y / extent.height - 1, 1);
+    positions.push_back(vec3(clip - kMoved));
+    vertices.push_back({vec3(stretched * corner_normal(frame, shape, k)),
+                        vec4(vec3(frame.tangent / stretched), frame.left_handed != shape.mirrored ? -1 : 1),
+                        corners[k]});
+  }
   for (uint32_t y = r.y; y < std::min(r.y + r.height, extent.height); ++y)
     for (uint32_t x = r.x; x < std::min(r.x + r.width, extent.width); ++x) {
-      const size_t pixel = size_t{y} * extent.width + x;
       uint32_t triangle;
-      Interpolated p = on_sheet(r, x, y, triangle);
-      p.frame = frame;
-      const Encoded e = encode(p);
-      visibility[pixel] = {triangle, surface};
-      barycentrics[pixel] = e.barycentrics, derivatives[pixel] = e.derivatives, tangent_frame[pixel] = e.tangent_frame;
+      set(x, y, interpolated(on_screen(r, clockwise, x, y, triangle), frame, shape));
+      visibility[size_t{y} * extent.width + x] = {triangle, surface | (shape.mirrored ? kVisibilityFlipped : 0)};
     }
   return surface;
 }
 
 void Builder::flag_surface(uint32_t surface, uint32_t bits) {
   for (uvec2& v : visibility)
-    if (v.y == surface) v.y |= bits;
-}
-
-void Builder::set_frame(uint32_t x, uint32_t y, const Frame& f) {
-  const size_t pixel = size_t{y} * extent.width + x;
-  derivatives[pixel].y = (derivatives[pixel].y & 0x0fffffffu) | flags_of(f) << 28;
-  tangent_frame[pixel] = {lambert(f.normal), lambert(f.tangent)};
+    if ((v.y & kVisibilitySurfaceMask) == surface) v.y |= bits;
 }
 
 void Builder::set(uint32_t x, uint32_t y, const Interpolated& p) {
@@ -118,16 +153,12 @@ void Builder::set(uint32_t x, uint32_t y, const Interpolated& p) {
   barycentrics[pixel] = e.barycentrics, derivatives[pixel] = e.derivatives, tangent_frame[pixel] = e.tangent_frame;
 }
 
-void Builder::set_frames(const Frame& f) {
-  for (uint32_t y = 0; y < extent.height; ++y)
-    for (uint32_t x = 0; x < extent.width; ++x) set_frame(x, y, f);
-}
-
 Case Builder::finish(std::string name) const {
   TexturingParams params = {};
   params.width = extent.width, params.height = extent.height;
   params.surfaces = static_cast<uint32_t>(surfaces.size()), params.materials = static_cast<uint32_t>(materials.size());
   params.indices = static_cast<uint32_t>(indices.size()), params.vertices = static_cast<uint32_t>(vertices.size());
+  params.probe_factor = kProbeFactor, params.probe_addend = kProbeAddend;
   for (uint32_t k = 0; k < kShaderClasses; ++k) {
     const bool is_registered = is_shown(*this, k) && std::ranges::find(hidden_classes, k) == hidden_classes.end();
     params.slot_of_class[k] = is_registered ? params.shaders++ : kUnregistered;
@@ -143,7 +174,7 @@ Case Builder::finish(std::string name) const {
   c.set_params(params);
   c.set_input("visibility", visibility);
   c.set_input("surfaces", surfaces), c.set_input("materials", materials);
-  c.set_input("indices", indices), c.set_input("vertices", vertices);
+  c.set_input("indices", indices), c.set_input("positions", positions), c.set_input("vertices", vertices);
   c.set_input("barycentrics", barycentrics), c.set_input("derivatives", derivatives);
   c.set_input("tangent_frame", tangent_frame);
   c.set_input("entries", lists.entries), c.set_input("commands", lists.commands);

@@ -19,6 +19,12 @@ struct Interpolated {
   glm::dvec2 weights = {}, d_dx = {}, d_dy = {};  // of the second and third vertex
   Frame frame = {};
 };
+// How a sheet lies in space.
+struct Shape {
+  std::array<double, 4> depths = {1, 1, 1, 1};  // clip w of its corners
+  double bulge = 0;                             // its normals lean outwards by this much at the corners
+  bool mirrored = false;                        // by the transform from the mesh's space
+};
 struct Encoded {
   uint barycentrics;
   uvec2 derivatives, tangent_frame;
@@ -31,6 +37,7 @@ struct Builder {
   std::vector<SurfaceRecord> surfaces = {};
   std::vector<MaterialRecord> materials = {};
   std::vector<uint> indices = {};
+  std::vector<vec3> positions = {};
   std::vector<VertexAttributes> vertices = {};
   std::vector<uint> barycentrics = {};
   std::vector<uvec2> derivatives = {}, tangent_frame = {};
@@ -43,15 +50,14 @@ struct Builder {
 
   explicit Builder(Extent);
   uint32_t add_material(const MaterialRecord&);
-  // Corners: UV at left top, right top, left bottom, right bottom. Returns the surface.
-  uint32_t add_sheet(const Rectangle&, uint32_t material, const std::array<vec2, 4>& corners, const Frame& = {});
+  // Corners: UV at left top, right top, left bottom, right bottom. Returns the surface. Its mesh, of two triangles, and
+  // the attributes of its pixels are of one shape: what is stored is what interpolation would find.
+  uint32_t add_sheet(const Rectangle&, uint32_t material, const std::array<vec2, 4>& corners, const Frame& = {},
+                     const Shape& = {});
   // Bits above the index, for every pixel that shows the surface.
   void flag_surface(uint32_t surface, uint32_t bits);
-  // The frame of a pixel instead of its sheet's.
-  void set_frame(uint32_t x, uint32_t y, const Frame&);
-  // Everything of a pixel's attributes; the frame of every pixel.
+  // What is stored of a pixel, whatever its mesh says.
   void set(uint32_t x, uint32_t y, const Interpolated&);
-  void set_frames(const Frame&);
   Case finish(std::string name = {}) const;
 };
 

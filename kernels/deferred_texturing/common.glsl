@@ -17,13 +17,20 @@ bool on_screen(uvec2 pixel) { return pixel.x < params.width && pixel.y < params.
 #endif
 uint pixel_number(uvec2 pixel) { return pixel.y * params.width + pixel.x; }
 
-// Triangle and surface; a surface at or above the count is none.
-uvec2 visible_at(uvec2 pixel) {
+// A surface at or above the count is none.
+struct Visible {
+  uint triangle;
+  uint surface;
+  bool flipped;  // the surface's transform mirrors
+};
+Visible visible_at(uvec2 pixel) {
+  const uvec2 shown = texelFetch(visibility, ivec2(pixel), 0).xy;
 #ifdef MUTANT_2  // the instanced flag counts as part of the surface
-  return texelFetch(visibility, ivec2(pixel), 0).xy & uvec2(0xffffffffu, ~kVisibilityFlipped);
+  const uint surface = shown.y & ~kVisibilityFlipped;
 #else
-  return texelFetch(visibility, ivec2(pixel), 0).xy & uvec2(0xffffffffu, kVisibilitySurfaceMask);
+  const uint surface = shown.y & kVisibilitySurfaceMask;
 #endif
+  return Visible(shown.x, surface, (shown.y & kVisibilityFlipped) != 0u);
 }
 
 // What textures a surface; shader is kUnregistered where nothing does: a surface, material or class that there is not.

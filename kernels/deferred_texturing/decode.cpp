@@ -27,6 +27,19 @@ Range derivative(uint32_t word, uint32_t shift, uint32_t exponent) {
   return std::ldexp(mantissa, static_cast<int>(exponent) - kAttributeExponentBias);
 }
 
+Range around(const interpolation::RoundedDouble& r) { return {r.value - r.error, r.value + r.error}; }
+// In the simplex, but for the rounding of the division and the product.
+Range weight(const interpolation::Hit& h, int k) {
+  const Range any = {0, 1 + 8 * kUnitRoundoff};
+  return h.determined ? clamped(around(h.weights[k]), any.low, any.high) : any;
+}
+Range derivative(const interpolation::Hit& h, int k) { return h.determined ? around(h.derivatives[k]) : unknown(); }
+Range3 direction(const interpolation::Direction& d) {
+  Range3 r;
+  for (int k = 0; k < 3; ++k) r[static_cast<size_t>(k)] = d.determined ? around(d.xyz[k]) : Range(-1.001, 1.001);
+  return r;
+}
+
 Range usable_uv(Range r) {
   if (r.is_nan()) return 0.0;
   const double most = std::max(std::fabs(r.low), std::fabs(r.high));
@@ -54,6 +67,20 @@ PixelAttributes decoded(uint32_t barycentrics, uvec2 derivatives, uvec2 tangent_
   a.normal = direction(tangent_frame.x, (flags & kAttributeNormalNegative) != 0);
   a.tangent = direction(tangent_frame.y, (flags & kAttributeTangentNegative) != 0);
   a.left_handed = (flags & kAttributeLeftHanded) != 0, a.front_facing = (flags & kAttributeFrontFacing) != 0;
+  return a;
+}
+
+PixelAttributes interpolated(const interpolation::Triangle& t, const SurfaceRecord& s, bool flipped,
+                             const interpolation::Few<const VertexAttributes*, 3>& vertices) {
+  const interpolation::Hit h = interpolation::hit_compensated(t);
+  const interpolation::TangentFrame f = interpolation::frame_of(s, flipped, vertices, h);
+  PixelAttributes a;
+  a.weight_1 = weight(h, 1), a.weight_2 = weight(h, 2);
+  a.weight_1_dx = derivative(h, 0), a.weight_2_dx = derivative(h, 1);
+  a.weight_1_dy = derivative(h, 2), a.weight_2_dy = derivative(h, 3);
+  a.normal = direction(f.normal), a.tangent = direction(f.tangent);
+  a.left_handed = f.left_handed, a.front_facing = h.clockwise == flipped;
+  a.determined = h.determined && f.normal.determined && f.tangent.determined;
   return a;
 }
 

@@ -2,6 +2,7 @@
 // read.
 #pragma once
 #include "harness/formats/attributes.h"
+#include "harness/interpolation_oracle.h"
 #include "kernels/deferred_texturing/layout.h"
 #include "kernels/deferred_texturing/range.h"
 
@@ -12,8 +13,12 @@ struct PixelAttributes {
   Range weight_1_dx, weight_2_dx, weight_1_dy, weight_2_dy;  // a pixel
   Range3 normal, tangent;                                    // world
   bool left_handed = false, front_facing = false;
+  bool determined = true;  // false: float arithmetic may find any weights in the triangle, and anything of the rest
 };
 PixelAttributes decoded(uint32_t barycentrics, uvec2 derivatives, uvec2 tangent_frame);
+// What the default formula of attribute_interpolation may find, before anything is packed.
+PixelAttributes interpolated(const interpolation::Triangle&, const SurfaceRecord&, bool flipped,
+                             const interpolation::Few<const VertexAttributes*, 3>&);
 
 // Texture coordinates and their derivatives, a pixel.
 struct RangeFootprint {

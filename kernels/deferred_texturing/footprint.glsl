@@ -5,9 +5,6 @@
 #include "harness/glsl/attributes.glsl"
 READS(3, uint, indices);
 READS(4, VertexAttributes, vertices);
-READS(5, uint, barycentrics);
-READS(6, uvec2, derivatives);
-READS(7, uvec2, tangent_frame);
 
 // Smaller in magnitude than a positive limit; false for NaN on any device, for it compares integers.
 bool is_below(float x, float limit) { return (floatBitsToUint(x) & 0x7fffffffu) < floatBitsToUint(limit); }
@@ -25,15 +22,16 @@ Footprint footprint(vec2 uv, vec2 d_dx, vec2 d_dy) {
   return Footprint(vec2(usable_uv(uv.x), usable_uv(uv.y)), usable_gradient(d_dx), usable_gradient(d_dy));
 }
 
-// Of the k-th vertex of a triangle; indices past the end are the last.
-vec2 vertex_uv(SurfaceRecord s, uint triangle, uint k) {
+// The k-th vertex of a triangle; indices past the end are the last.
+uint vertex_of(SurfaceRecord s, uint triangle, uint k) {
 #ifdef MUTANT_5  // all meshes begin at the first vertex
   const uint index = indices[min(s.first_index + 3u * triangle + k, params.indices - 1u)];
 #else
   const uint index = indices[min(s.first_index + 3u * triangle + k, params.indices - 1u)] + s.vertex_offset;
 #endif
-  return vertices[min(index, params.vertices - 1u)].uv;
+  return min(index, params.vertices - 1u);
 }
+vec2 vertex_uv(SurfaceRecord s, uint triangle, uint k) { return vertices[vertex_of(s, triangle, k)].uv; }
 
 Footprint footprint_of(SurfaceRecord s, uint triangle, SurfaceAttributes a) {
   const vec2 origin = vertex_uv(s, triangle, 0u);

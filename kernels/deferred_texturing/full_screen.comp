@@ -8,14 +8,16 @@ layout(local_size_x = 16, local_size_y = 16) in;
 void main() {
   const uvec2 pixel = gl_GlobalInvocationID.xy;
   if (!on_screen(pixel)) return;
-  const uvec2 visible = visible_at(pixel);
-  const Look look = look_of(visible.y);
+  const Visible visible = visible_at(pixel);
+  const Look look = look_of(visible.surface);
   if (look.shader == kUnregistered) {
     store_nothing(pixel);
     return;
   }
   const MaterialRecord m = materials[look.material];
-  const SurfaceAttributes a = attributes_at(pixel);
-  const Footprint f = footprint_of(surfaces[visible.y], visible.x, a);
-  store(pixel, texel_of(layer_of_class(look.shader, m, f, visible.y), a, is_seen_from_both_sides(m)), m.features);
+  const SurfaceRecord s = surfaces[visible.surface];
+  const SurfaceAttributes a = attributes_at(pixel, visible, s);
+  const Footprint f = footprint_of(s, visible.triangle, a);
+  const Layer l = layer_of_class(look.shader, m, f, visible.surface);
+  store(pixel, texel_of(l, a, is_seen_from_both_sides(m)), m.features);
 }

@@ -63,17 +63,17 @@ Builder two_layers(float depth, uint32_t lower_height, uint32_t upper_height) {
   return b;
 }
 
-// Columns of either facing, frames of either handedness.
+// Sheets of either facing, of either handedness, by way of a mirror or not.
 Case sides(uint32_t shader, uint32_t flags) {
   MaterialRecord m = textured(shader);
   m.flags = flags;
   Builder b = one(m);
-  for (uint32_t y = 0; y < kExtent.height; ++y)
-    for (uint32_t x = 0; x < kExtent.width; ++x) {
-      Frame f = tilted();
-      f.front_facing = x % 2 == 0, f.left_handed = y % 2 == 0;
-      b.set_frame(x, y, f);
-    }
+  for (uint32_t i = 0; i < 16; ++i) {
+    const Rectangle r = {i % 4 * 10, i / 4 * 9, 10, 9};
+    Frame f = tilted();
+    f.front_facing = i % 2 == 0, f.left_handed = i / 2 % 2 == 0;
+    b.add_sheet(r, 0, uv_by_pixel(r, vec2(0.03f)), f, {.mirrored = i / 4 % 2 == 0});
+  }
   return b.finish();
 }
 

@@ -40,7 +40,7 @@ Texture stripes(Format format, Extent e, uint32_t layers = 1) {
       false);
 }
 
-// Columns of another number of texels a pixel each, a power of two or near one.
+// Columns of another number of texels a pixel each, a power of two or near one. The second vertex is left bottom.
 Case all_levels() {
   Builder b = sheet(levels({256, 64}), {});
   for (uint32_t x = 0; x < kExtent.width; ++x)
@@ -50,7 +50,7 @@ Case all_levels() {
       p.weights = {0.3, 0.3}, p.d_dx = {texels / 256, 0}, p.d_dy = {0, texels / 512};
       b.set(x, y, p);
     }
-  b.vertices[1].uv = vec2(1, 0), b.vertices[2].uv = vec2(0, 1), b.vertices[3].uv = vec2(1, 1);
+  b.vertices[2].uv = vec2(1, 0), b.vertices[1].uv = vec2(0, 1), b.vertices[3].uv = vec2(1, 1);
   return b.finish();
 }
 

@@ -98,6 +98,7 @@ vec2 random_scale(Random& r, uint32_t side) {
 void add_sheets(Builder& b, Random& r, uint32_t side) {
   const size_t frames = r.branch({{"frames_flat", 1}, {"frames_turned", 2}, {"frames_curved", 1}});
   const size_t where = r.branch({{"uv_near", 0.8}, {"uv_far", 0.1}, {"uv_hostile", 0.1}});
+  const bool perspective = r.branch({{"sheets_upright", 1}, {"sheets_in_perspective", 1}}) == 1;
   const auto sheets = std::min<uint32_t>(1 + r.rng.below(60), 200);
   const uint32_t most = std::max(b.extent.width, b.extent.height) / 2 + 4;
   const vec2 scale = random_scale(r, side);
@@ -111,12 +112,13 @@ void add_sheets(Builder& b, Random& r, uint32_t side) {
       corners[r.rng.below(4)][static_cast<int>(r.rng.below(2))] = values[r.rng.below(std::size(values))];
     }
     const Frame frame = frames == 0 ? Frame{} : random_frame(r.rng);
-    const uint32_t surface = b.add_sheet(rect, r.rng.below(static_cast<uint32_t>(b.materials.size())), corners, frame);
-    if (r.rng.below(3) == 0) b.flag_surface(surface, r.rng.next() & (kVisibilityInstanced | kVisibilityFlipped));
+    Shape shape = {.bulge = frames == 2 ? r.rng.range(0, 0.6) : 0, .mirrored = r.rng.below(3) == 0};
+    if (perspective)
+      for (double& w : shape.depths) w = std::exp2(r.rng.range(-2, 2));
+    const auto material = r.rng.below(static_cast<uint32_t>(b.materials.size()));
+    const uint32_t surface = b.add_sheet(rect, material, corners, frame, shape);
+    if (r.rng.below(3) == 0) b.flag_surface(surface, kVisibilityInstanced);
   }
-  if (frames == 2)
-    for (uint32_t y = 0; y < b.extent.height; y += 2)
-      for (uint32_t x = 0; x < b.extent.width; x += 3) b.set_frame(x, y, random_frame(r.rng));
 }
 
 // Surfaces, materials and classes that there are not; indices past the end.
@@ -200,6 +202,8 @@ std::vector<std::string> branches() {
                         "frames_flat",
                         "frames_turned",
                         "frames_curved",
+                        "sheets_upright",
+                        "sheets_in_perspective",
                         "uv_near",
                         "uv_far",
                         "uv_hostile",
@@ -218,7 +222,7 @@ std::vector<std::string> branches() {
 
 Inputs inputs() {
   Inputs in = {.random = random_case, .branches = branches(), .hard = {}};
-  for (const auto& cases : {list_cases(), sample_cases(), class_cases()})
+  for (const auto& cases : {list_cases(), sample_cases(), class_cases(), mesh_cases()})
     in.hard.insert(in.hard.end(), cases.begin(), cases.end());
   return in;
 }
@@ -252,6 +256,7 @@ Case frame(const FrameInputs& f) {
   p.width = f.extent.width, p.height = f.extent.height;
   p.surfaces = f.scene.surfaces, p.materials = f.scene.materials;
   p.indices = f.scene.indices, p.vertices = f.scene.vertices;
+  p.probe_factor = kProbeFactor, p.probe_addend = kProbeAddend;
   p.shaders = static_cast<uint32_t>(f.shaders.size());
   p.waves = static_cast<uint32_t>(command_waves(f.extent, f.shaders.size()));
   std::fill(std::begin(p.slot_of_class), std::end(p.slot_of_class), kUnregistered);

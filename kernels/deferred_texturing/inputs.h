@@ -12,6 +12,7 @@ Inputs inputs();
 std::vector<HardCase> class_cases();   // what each class does
 std::vector<HardCase> sample_cases();  // coordinates, gradients, textures
 std::vector<HardCase> list_cases();    // sizes, lists, hostile indices
+std::vector<HardCase> mesh_cases();    // what interpolates inline
 std::vector<Mutant> mutants();
 
 // Arrays that random and typical cases share: 0 colours (sRGB), 1 surfaces (metallic-roughness and height), 2 normals,

@@ -18,16 +18,17 @@ Groups per_pixel(const Case& c) { return {ceil_div(c.extent.width, 16), ceil_div
 
 struct ClassShaders {
   uint32_t shader;
-  const char *any, *one_surface;
+  const char *any, *one_surface, *inlined;
 };
-constexpr ClassShaders kClasses[] = {{kShaderOpaque, "opaque.comp", "opaque_uniform.comp"},
-                                     {kShaderMasked, "masked.comp", "masked_uniform.comp"},
-                                     {kShaderTwoLayer, "two_layer.comp", "two_layer_uniform.comp"},
-                                     {kShaderEmissiveDetail, "emissive_detail.comp", "emissive_detail_uniform.comp"},
-                                     {kShaderCloth, "cloth.comp", "cloth_uniform.comp"},
-                                     {kShaderSkin, "skin.comp", "skin_uniform.comp"},
-                                     {kShaderWet, "wet.comp", "wet_uniform.comp"},
-                                     {kShaderFoliage, "foliage.comp", "foliage_uniform.comp"}};
+constexpr ClassShaders kClasses[] = {
+    {kShaderOpaque, "opaque.comp", "opaque_uniform.comp", "opaque_inline.comp"},
+    {kShaderMasked, "masked.comp", "masked_uniform.comp", "masked_inline.comp"},
+    {kShaderTwoLayer, "two_layer.comp", "two_layer_uniform.comp", "two_layer_inline.comp"},
+    {kShaderEmissiveDetail, "emissive_detail.comp", "emissive_detail_uniform.comp", "emissive_detail_inline.comp"},
+    {kShaderCloth, "cloth.comp", "cloth_uniform.comp", "cloth_inline.comp"},
+    {kShaderSkin, "skin.comp", "skin_uniform.comp", "skin_inline.comp"},
+    {kShaderWet, "wet.comp", "wet_uniform.comp", "wet_inline.comp"},
+    {kShaderFoliage, "foliage.comp", "foliage_uniform.comp", "foliage_inline.comp"}};
 static_assert(std::size(kClasses) == kShaderClasses);
 
 // A class over these rows of its slot; none of them, and no pipeline, where nothing shows it.
@@ -50,9 +51,10 @@ std::vector<Pass> uniform_and_divergent() {
   passes.push_back(kBackground);
   return passes;
 }
-std::vector<Pass> divergent_only() {
+// A shader a class over all its rows: with the attributes as they are stored, or with its own.
+std::vector<Pass> divergent(const char* ClassShaders::*file) {
   std::vector<Pass> passes;
-  for (const ClassShaders& k : kClasses) passes.push_back(over_rows(k.any, k.shader, 0, kCommandRows));
+  for (const ClassShaders& k : kClasses) passes.push_back(over_rows(k.*file, k.shader, 0, kCommandRows));
   passes.push_back(kBackground);
   return passes;
 }
@@ -77,11 +79,27 @@ Bound channels(std::string port, Unpack unpack, std::string reason) {
   b.unpack = std::move(unpack);
   return b;
 }
+std::vector<Bound> bounds() {
+  return {channels("base_roughness", unpack_base_roughness(), "trilinear range, then either code (README, Bounds)"),
+          channels("normal", unpack_normal(), "trilinear range of the map, then an octahedral step"),
+          channels("metallic_occlusion", unpack_metallic_occlusion(), "trilinear range, then either code"),
+          channels("emissive", unpack_emissive(), "trilinear range, then half a shared step"),
+          exact("features", "integers only")};
+}
+// Around what interpolation may find, not around what is stored of it.
+std::vector<Bound> inline_bounds() {
+  std::vector<Bound> all = bounds();
+  for (Bound& b : all)
+    if (b.judge == Judge::between) b.answer = kInline + b.ports[0];
+  return all;
+}
 
-Port listed(Port p) {
-  p.only_in = {"lists", "divergent_only"};
+Port only_in(std::vector<std::string> variants, Port p) {
+  p.only_in = std::move(variants);
   return p;
 }
+Port listed(Port p) { return only_in({"lists", "divergent_only", "inline_texturing"}, std::move(p)); }
+Port stored(Port p) { return only_in({"lists", "divergent_only", "full_screen"}, std::move(p)); }
 
 }  // namespace
 
@@ -96,9 +114,11 @@ Kernel describe() {
                 reads<MaterialRecord>("materials", counted(&TexturingParams::materials), {"scene.materials"}),
                 reads<uint>("indices", counted(&TexturingParams::indices), {"scene.indices"}),
                 reads<VertexAttributes>("vertices", counted(&TexturingParams::vertices), {"scene.attributes"}),
-                reads<uint>("barycentrics", pixels, {"attribute_interpolation.barycentrics"}),
-                reads<uvec2>("derivatives", pixels, {"attribute_interpolation.derivatives"}),
-                reads<uvec2>("tangent_frame", pixels, {"attribute_interpolation.tangent_frame"}),
+                only_in({"inline_texturing"},
+                        reads<vec3>("positions", counted(&TexturingParams::vertices), {"scene.positions"})),
+                stored(reads<uint>("barycentrics", pixels, {"attribute_interpolation.barycentrics"})),
+                stored(reads<uvec2>("derivatives", pixels, {"attribute_interpolation.derivatives"})),
+                stored(reads<uvec2>("tangent_frame", pixels, {"attribute_interpolation.tangent_frame"})),
                 reads_textures("textures", 16, {"scene.textures"}),
                 listed(reads<uint>("entries", entries, {"pixel_commands.entries"})),
                 listed(reads<uint>("commands", counted(&TexturingParams::waves), {"pixel_commands.commands"})),
@@ -113,21 +133,22 @@ Kernel describe() {
                     .needs = {Feature::subgroup_ballot},
                     .note = "a shader a class over its pixels; waves of one surface have a permutation of their own"},
                    {.name = "divergent_only",
-                    .passes = divergent_only(),
+                    .passes = divergent(&ClassShaders::any),
                     .constants = {{"FIRST_ROW", {0}}},
                     .needs = {Feature::subgroup_ballot},
                     .note = "a shader a class, nothing known of its waves"},
+                   {.name = "inline_texturing",
+                    .passes = divergent(&ClassShaders::inlined),
+                    .constants = {{"FIRST_ROW", {0}}, {"SPLIT_PRODUCTS", {0, 1}}},
+                    .needs = {Feature::subgroup_ballot},
+                    .bounds = inline_bounds(),
+                    .note = "as divergent_only, but every shader interpolates, and no pass does so before it"},
                    {.name = "full_screen",
                     .passes = {Dispatch{"full_screen.comp", per_pixel}},
                     .note = "one shader over all pixels, a branch a class"}},
       .oracle = textured,
       .inputs = inputs(),
-      .bounds = {channels("base_roughness", unpack_base_roughness(),
-                          "trilinear range, then either code (README, Bounds)"),
-                 channels("normal", unpack_normal(), "trilinear range of the map, then an octahedral step"),
-                 channels("metallic_occlusion", unpack_metallic_occlusion(), "trilinear range, then either code"),
-                 channels("emissive", unpack_emissive(), "trilinear range, then half a shared step"),
-                 exact("features", "integers only")},
+      .bounds = bounds(),
       .mutants = mutants(),
       .cost = cost,
       .typical = typical,

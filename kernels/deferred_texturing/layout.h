@@ -2,6 +2,7 @@
 #ifndef DEFERRED_TEXTURING_LAYOUT_H
 #define DEFERRED_TEXTURING_LAYOUT_H
 #include "harness/formats/gbuffer.h"
+#include "harness/formats/interpolation.h"
 #include "harness/formats/material.h"
 #include "harness/formats/scene.h"
 #include "harness/shared.h"
@@ -17,6 +18,8 @@ struct TexturingParams {
   uint shaders;                        // visible: slots
   uint waves;                          // that the pixel commands hold
   uint slot_of_class[kShaderClasses];  // kUnregistered: nothing shows the class
+  float probe_factor;                  // kProbeFactor, kProbeAddend of formats/interpolation.h
+  float probe_addend;
 };
 
 // Beyond these a coordinate or a gradient says nothing: a coordinate becomes 0, a gradient this much (the last level).
@@ -33,7 +36,8 @@ SHARED_CONST float kLargestNormal = 1e12f;
 SHARED_CONST vec3 kFoliageTint = vec3(0.7f, 0.85f, 0.6f);
 
 #ifdef __cplusplus
-SHARED_LAYOUT(TexturingParams, width, height, surfaces, materials, indices, vertices, shaders, waves, slot_of_class);
+SHARED_LAYOUT(TexturingParams, width, height, surfaces, materials, indices, vertices, shaders, waves, slot_of_class,
+              probe_factor, probe_addend);
 #endif
 SHARED_END
 #endif

@@ -1,5 +1,5 @@
 // A shader class over its pixel commands. The includer says which, SHADER_CLASS, and what of classes.glsl it needs, and
-// defines ONE_SURFACE where it is dispatched over waves of one surface only.
+// defines ONE_SURFACE where it is dispatched over waves of one surface only, INTERPOLATES where nobody stored attributes.
 #include "kernels/deferred_texturing/shade.glsl"
 #include "harness/formats/pixel_commands.h"
 layout(constant_id = 0) const uint FIRST_ROW = 0u;  // of the slot's rows, the first that the pass is dispatched for
@@ -38,21 +38,23 @@ void main() {
   uvec2 pixel;
   uint copy_bits;
   if (!commanded_pixel(pixel, copy_bits) || !on_screen(pixel)) return;
-  uvec2 visible = visible_at(pixel);
-  if (visible.y >= params.surfaces) return;
+  Visible visible = visible_at(pixel);
+  if (visible.surface >= params.surfaces) return;
 #if defined(ONE_SURFACE) || defined(MUTANT_25)  // all waves taken for uniform
-  visible.y = equal_in_wave(visible.y);
+  visible.surface = equal_in_wave(visible.surface);
 #endif
-  const Look look = look_of(visible.y);
+  const Look look = look_of(visible.surface);
 #ifdef MUTANT_26  // another class's pixels are textured as this one's
   if (look.shader == kUnregistered) return;
 #else
   if (look.shader != SHADER_CLASS) return;  // a stale entry
 #endif
   const MaterialRecord m = materials[look.material];
-  const SurfaceAttributes a = attributes_at(pixel);
-  const Footprint f = footprint_of(surfaces[visible.y], visible.x, a);
-  const GBufferTexel t = texel_of(layer_of_class(SHADER_CLASS, m, f, visible.y), a, is_seen_from_both_sides(m));
+  const SurfaceRecord s = surfaces[visible.surface];
+  const SurfaceAttributes a = attributes_at(pixel, visible, s);
+  const Footprint f = footprint_of(s, visible.triangle, a);
+  const Layer l = layer_of_class(SHADER_CLASS, m, f, visible.surface);
+  const GBufferTexel t = texel_of(l, a, is_seen_from_both_sides(m));
   store(pixel, t, m.features);
   if (copy_bits != 0u) store_copies(pixel, copy_bits, t, m.features);
 }

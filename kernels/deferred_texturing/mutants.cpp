@@ -34,6 +34,16 @@ std::vector<Mutant> mutants() {
       {"harness/glsl/gbuffer.glsl", 9301, "normals of the lower half are not folded", "class_opaque"},
       {"harness/glsl/gbuffer.glsl", 9303, "emission is truncated", "emissive_rounded"},
       {"harness/glsl/gbuffer.glsl", 9305, "base colour without its root", "class_opaque"},
+      {"attributes.glsl", 30, "the first vertex's frame for all of the triangle", "mesh_curved"},
+      {"attributes.glsl", 31, "a mirror does not turn the handedness", "back_faces_turned"},
+      {"attributes.glsl", 32, "facing without regard to a mirror", "back_faces_turned"},
+      {"attributes.glsl", 33, "the way down changes as the way across does", "gradient_of_y"},
+      {"harness/glsl/interpolation/triangle.glsl", 9103, "the translation of the clip rows is left out",
+       "mesh_in_perspective"},
+      {"harness/glsl/interpolation/triangle.glsl", 9104, "the pixel's corner for its centre", "mesh_in_perspective"},
+      {"harness/glsl/interpolation/weigh.glsl", 9107, "weights below 0 stay", "mesh_beside_the_pixel"},
+      {"harness/glsl/interpolation/weigh.glsl", 9109, "derivatives not times w", "mesh_near_and_far"},
+      {"harness/glsl/interpolation/frame.glsl", 9112, "normals by the transform, not its cofactors", "mesh_curved"},
       {"background.comp", 29, "only the sky is background", "surface_out_of_range"},
   };
 }

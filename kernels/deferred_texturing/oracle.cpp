@@ -19,6 +19,7 @@ struct Inputs {
   std::span<const SurfaceRecord> surfaces;
   std::span<const MaterialRecord> materials;
   std::span<const uint> indices;
+  std::span<const vec3> positions;
   std::span<const VertexAttributes> vertices;
   std::span<const uint> barycentrics;
   std::span<const uvec2> derivatives, tangent_frame;
@@ -27,11 +28,10 @@ struct Inputs {
 Inputs inputs_of(const Case& c) {
   std::span<const Texture> textures;
   if (const auto it = c.textures.find("textures"); it != c.textures.end()) textures = it->second;
-  return {c.params<TexturingParams>(),        c.input<uvec2>("visibility"),
-          c.input<SurfaceRecord>("surfaces"), c.input<MaterialRecord>("materials"),
-          c.input<uint>("indices"),           c.input<VertexAttributes>("vertices"),
-          c.input<uint>("barycentrics"),      c.input<uvec2>("derivatives"),
-          c.input<uvec2>("tangent_frame"),    Filter(textures, c.device)};
+  return {c.params<TexturingParams>(),           c.input<uvec2>("visibility"),  c.input<SurfaceRecord>("surfaces"),
+          c.input<MaterialRecord>("materials"),  c.input<uint>("indices"),      c.input<vec3>("positions"),
+          c.input<VertexAttributes>("vertices"), c.input<uint>("barycentrics"), c.input<uvec2>("derivatives"),
+          c.input<uvec2>("tangent_frame"),       Filter(textures, c.device)};
 }
 
 // The material that textures a surface; kNoMaterial where nothing does.
@@ -43,13 +43,31 @@ uint32_t material_of(const Inputs& in, uint32_t surface) {
   return shader < kShaderClasses && in.params.slot_of_class[shader] != kUnregistered ? material : kNoMaterial;
 }
 
-std::array<vec2, 3> corners(const Inputs& in, const SurfaceRecord& s, uint32_t triangle) {
-  std::array<vec2, 3> uv;
+using Corners = interpolation::Few<uint32_t, 3>;  // vertices
+Corners corners(const Inputs& in, const SurfaceRecord& s, uint32_t triangle) {
+  Corners c;
   for (uint32_t k = 0; k < 3; ++k) {
     const uint32_t index = in.indices[std::min(s.first_index + 3 * triangle + k, in.params.indices - 1)];
-    uv[k] = in.vertices[std::min(index + s.vertex_offset, in.params.vertices - 1)].uv;
+    c[static_cast<int>(k)] = std::min(index + s.vertex_offset, in.params.vertices - 1);
   }
-  return uv;
+  return c;
+}
+
+// Where a pixel's attributes come from.
+enum class Source { stored, mesh };
+
+PixelAttributes attributes_of(const Inputs& in, uint64_t pixel, Source source, const SurfaceRecord& s,
+                              const Corners& c) {
+  if (source == Source::stored) return decoded(in.barycentrics[pixel], in.derivatives[pixel], in.tangent_frame[pixel]);
+  interpolation::Triangle t;
+  interpolation::Few<const VertexAttributes*, 3> vertices;
+  for (int k = 0; k < 3; ++k) {
+    interpolation::set_corner(t, k, s, in.positions[c[k]]);
+    vertices[k] = &in.vertices[c[k]];
+  }
+  interpolation::place(t, uvec2(pixel % in.params.width, pixel / in.params.width),
+                       uvec2(in.params.width, in.params.height));
+  return interpolated(t, s, (in.visibility[pixel].y & kVisibilityFlipped) != 0, vertices);
 }
 
 // A direction somewhere in a box: its middle, and how far the unit vector may be from the middle's.
@@ -137,6 +155,7 @@ struct TexelRange {
   vec3 normal_low = vec3(0, 0, 1), normal_high = vec3(0, 0, 1);
   vec2 metallic_low = vec2(0), metallic_high = vec2(0);
   vec3 emissive_low = vec3(0), emissive_high = vec3(0);
+  bool determined = true;
 };
 
 TexelRange texel_of(const RangeLayer& l, const Direction& normal) {
@@ -158,17 +177,21 @@ TexelRange texel_of(const RangeLayer& l, const Direction& normal) {
   return t;
 }
 
-TexelRange texel_at(const Inputs& in, uint64_t pixel) {
+TexelRange texel_at(const Inputs& in, uint64_t pixel, Source source) {
   const uvec2 visible = in.visibility[pixel];
   const uint32_t surface = visible.y & kVisibilitySurfaceMask, material = material_of(in, surface);
   if (material == kNoMaterial) return {};
-  const PixelAttributes a = decoded(in.barycentrics[pixel], in.derivatives[pixel], in.tangent_frame[pixel]);
-  const RangeFootprint f = footprint_of(corners(in, in.surfaces[surface], visible.x), a);
+  const SurfaceRecord& s = in.surfaces[surface];
+  const Corners c = corners(in, s, visible.x);
+  const PixelAttributes a = attributes_of(in, pixel, source, s, c);
+  const RangeFootprint f = footprint_of({in.vertices[c[0]].uv, in.vertices[c[1]].uv, in.vertices[c[2]].uv}, a);
   const RangeLayer l = shaded(in.materials, material, surface, in.filter, f);
   const MaterialRecord& m = in.materials[material];
   const bool both_sides =
       (m.flags & kMaterialDoubleSided) != 0 || m.shader == kShaderMasked || m.shader == kShaderFoliage;
-  return texel_of(l, shading_normal(l.normal, a, both_sides && !a.front_facing));
+  TexelRange t = texel_of(l, shading_normal(l.normal, a, both_sides && !a.front_facing));
+  t.determined = a.determined;
+  return t;
 }
 
 template <class T>
@@ -179,13 +202,20 @@ void append(Bytes& to, const T& value) {
 
 struct Answers {
   Expected base, normal, metallic, emissive;
+  uint32_t count = 0;  // alternatives
+  std::vector<uint32_t> first = {0};
+
+  // What is undetermined counts as two alternatives, so that it is told from what was judged.
   void add(const TexelRange& t) {
-    append(base.low, t.base_low), append(base.high, t.base_high);
-    append(normal.low, t.normal_low), append(normal.high, t.normal_high);
-    append(metallic.low, t.metallic_low), append(metallic.high, t.metallic_high);
-    append(emissive.low, t.emissive_low), append(emissive.high, t.emissive_high);
+    for (int i = 0; i < (t.determined ? 1 : 2); ++i, ++count) {
+      append(base.low, t.base_low), append(base.high, t.base_high);
+      append(normal.low, t.normal_low), append(normal.high, t.normal_high);
+      append(metallic.low, t.metallic_low), append(metallic.high, t.metallic_high);
+      append(emissive.low, t.emissive_low), append(emissive.high, t.emissive_high);
+    }
   }
-  void close(const std::vector<uint32_t>& first, const std::vector<uint64_t>& judged) {
+  void end_pixel() { first.push_back(count); }
+  void close(const std::vector<uint64_t>& judged) {
     for (Expected* e : {&base, &normal, &metallic, &emissive}) e->first = first, e->judged = judged;
   }
 };
@@ -207,34 +237,41 @@ std::map<uint64_t, std::vector<uint64_t>> copies(const Case& c) {
   return from;
 }
 
+Answers answers_of(const Inputs& in, const Case& c, const std::vector<uint64_t>& judged, Source source) {
+  const auto copied = copies(c);
+  Answers answers;
+  const uint64_t count = judged.empty() ? pixel_count(c.extent) : judged.size();
+  for (uint64_t i = 0; i < count; ++i) {
+    const uint64_t pixel = judged.empty() ? i : judged[i];
+    answers.add(texel_at(in, pixel, source));
+    // A variant without lists shades such a pixel itself.
+    if (const auto it = copied.find(pixel); it != copied.end())
+      for (const uint64_t from : it->second) answers.add(texel_at(in, from, source));
+    answers.end_pixel();
+  }
+  answers.close(judged);
+  return answers;
+}
+
 }  // namespace
 
 Answer textured(const Case& c) {
   const Inputs in = inputs_of(c);
-  const auto copied = copies(c);
   const std::vector<uint64_t> judged = judged_pixels(c);
-  Answers answers;
-  std::vector<uint32_t> first = {0};
-  const uint64_t count = judged.empty() ? pixel_count(c.extent) : judged.size();
-  for (uint64_t i = 0; i < count; ++i) {
-    const uint64_t pixel = judged.empty() ? i : judged[i];
-    answers.add(texel_at(in, pixel));
-    first.push_back(first.back() + 1);
-    // A variant without lists shades such a pixel itself.
-    if (const auto it = copied.find(pixel); it != copied.end())
-      for (const uint64_t source : it->second) answers.add(texel_at(in, source)), ++first.back();
+  Answer answer;
+  for (const Source source : {Source::stored, Source::mesh}) {
+    Answers a = answers_of(in, c, judged, source);
+    const std::string prefix = source == Source::mesh ? kInline : "";
+    answer[prefix + "base_roughness"] = std::move(a.base), answer[prefix + "normal"] = std::move(a.normal);
+    answer[prefix + "metallic_occlusion"] = std::move(a.metallic), answer[prefix + "emissive"] = std::move(a.emissive);
   }
-  answers.close(first, judged);
   std::vector<uint> bits(pixel_count(c.extent));
   for (uint64_t i = 0; i < bits.size(); ++i) {
     const uint32_t material = material_of(in, in.visibility[i].y & kVisibilitySurfaceMask);
     bits[i] = material == kNoMaterial ? 0 : in.materials[material].features;
   }
-  return {{"base_roughness", std::move(answers.base)},
-          {"normal", std::move(answers.normal)},
-          {"metallic_occlusion", std::move(answers.metallic)},
-          {"emissive", std::move(answers.emissive)},
-          {"features", expect_all(bits)}};
+  answer["features"] = expect_all(bits);
+  return answer;
 }
 
 }  // namespace assay::deferred_texturing

@@ -1,6 +1,7 @@
 // From a sampled material to the G-buffer.
 #ifndef DEFERRED_TEXTURING_SHADE
 #define DEFERRED_TEXTURING_SHADE
+#include "kernels/deferred_texturing/attributes.glsl"
 #include "kernels/deferred_texturing/classes.glsl"
 #include "kernels/deferred_texturing/store.glsl"
 
@@ -31,11 +32,6 @@ vec3 shading_normal(vec3 tangent_space, SurfaceAttributes a, bool both_sides) {
 #else
   return both_sides && !a.front_facing ? -n : n;
 #endif
-}
-
-SurfaceAttributes attributes_at(uvec2 pixel) {
-  const uint i = pixel_number(pixel);
-  return decode_attributes(barycentrics[i], derivatives[i], tangent_frame[i]);
 }
 
 GBufferTexel texel_of(Layer l, SurfaceAttributes a, bool both_sides) {
