@@ -5,8 +5,8 @@
 #include "harness/formats/features.h"
 #include "harness/formats/pixel_commands.h"
 #include "harness/formats/visibility.h"
+#include "harness/judged.h"
 #include "kernels/deferred_texturing/fields.h"
-#include "kernels/deferred_texturing/judged.h"
 #include "kernels/deferred_texturing/material.h"
 
 namespace assay::deferred_texturing {
@@ -220,6 +220,8 @@ struct Answers {
   }
 };
 
+constexpr uint64_t kSampledAbove = 1u << 17;  // pixels
+
 // Entries copy a pixel's result to its neighbours in the quad: for each pixel, those that others copy to it.
 std::map<uint64_t, std::vector<uint64_t>> copies(const Case& c) {
   std::map<uint64_t, std::vector<uint64_t>> from;
@@ -257,7 +259,7 @@ Answers answers_of(const Inputs& in, const Case& c, const std::vector<uint64_t>&
 
 Answer textured(const Case& c) {
   const Inputs in = inputs_of(c);
-  const std::vector<uint64_t> judged = judged_pixels(c);
+  const std::vector<uint64_t> judged = judged_pixels(c, kSampledAbove);
   Answer answer;
   for (const Source source : {Source::stored, Source::mesh}) {
     Answers a = answers_of(in, c, judged, source);

@@ -1,16 +1,14 @@
 #include "kernels/visibility/drawn.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "harness/formats/features.h"
+#include "harness/judged.h"
 
 namespace assay::visibility {
 
 namespace {
 
 constexpr uint64_t kSampledAbove = 1u << 18;  // pixels
-constexpr uint32_t kStrata = 256;             // a side: 65,536 samples
 
 }  // namespace
 
@@ -39,31 +37,11 @@ void for_each_triangle(const Case& c, const std::function<void(const DrawnTriang
 }
 
 JudgedPixels judged_pixels(const Case& c) {
-  const uint64_t count = pixel_count(c.extent);
   JudgedPixels judged;
-  if (c.judge_all || count <= kSampledAbove) return judged;
-  const auto [width, height] = c.extent;
-  judged.position.assign(count, kNotJudged);
-  const auto is_border = [](uint32_t i, uint32_t size) {
-    return i % kTileSide == 0 || i % kTileSide == kTileSide - 1 || i + 1 == size;
-  };
-  for (uint32_t y = 0; y < height; ++y)
-    for (uint32_t x = 0; x < width; ++x)
-      if (is_border(x, width) || is_border(y, height)) judged.position[uint64_t{y} * width + x] = 0;
-  Pcg32 rng(c.seed ^ count);
-  for (uint32_t j = 0; j < kStrata; ++j)
-    for (uint32_t i = 0; i < kStrata; ++i) {
-      const auto in_stratum = [&rng](uint32_t k, uint32_t size) {
-        return std::min(static_cast<uint32_t>((k + rng.unit()) * size / kStrata), size - 1);
-      };
-      const uint32_t x = in_stratum(i, width), y = in_stratum(j, height);
-      judged.position[uint64_t{y} * width + x] = 0;
-    }
-  for (uint64_t i = 0; i < count; ++i)
-    if (judged.position[i] == 0) {
-      judged.position[i] = static_cast<uint32_t>(judged.list.size());
-      judged.list.push_back(i);
-    }
+  judged.list = assay::judged_pixels(c, kSampledAbove);
+  if (judged.list.empty()) return judged;
+  judged.position.assign(pixel_count(c.extent), kNotJudged);
+  for (size_t i = 0; i < judged.list.size(); ++i) judged.position[judged.list[i]] = static_cast<uint32_t>(i);
   return judged;
 }
 

@@ -1,22 +1,16 @@
-#include "kernels/deferred_texturing/judged.h"
+#include "harness/judged.h"
 
 #include <algorithm>
 
 #include "harness/formats/features.h"
 #include "harness/oracle.h"
 
-namespace assay::deferred_texturing {
+namespace assay {
 
-namespace {
-
-constexpr uint64_t kSampledAbove = 1u << 17;  // pixels
-constexpr uint32_t kStrata = 256;             // a side: 65,536 samples
-
-}  // namespace
-
-std::vector<uint64_t> judged_pixels(const Case& c) {
+std::vector<uint64_t> judged_pixels(const Case& c, uint64_t sampled_above) {
+  constexpr uint32_t kStrata = 256;  // a side: 65,536 samples
   const auto [width, height] = c.extent;
-  if (c.judge_all || pixel_count(c.extent) <= kSampledAbove) return {};
+  if (c.judge_all || pixel_count(c.extent) <= sampled_above) return {};
   std::vector<uint64_t> judged;
   const auto is_border = [](uint32_t i, uint32_t size) {
     return i % kTileSide == 0 || i % kTileSide == kTileSide - 1 || i + 1 == size;
@@ -38,4 +32,4 @@ std::vector<uint64_t> judged_pixels(const Case& c) {
   return judged;
 }
 
-}  // namespace assay::deferred_texturing
+}  // namespace assay
