@@ -1,25 +1,36 @@
-// A tile's waves as commands: as many as it has binary digits set, the large ones first.
+// A tile's waves as commands: as many as they have binary digits set, the large ones first. A thread a row, so that the
+// atomics of a tile do not wait for each other.
 UPDATES(5, CommandRow, command_rows);
 WRITES(7, uint, commands);
 
-void append_command(uint row, uint wave) {
-#ifdef MUTANT_22  // every command takes the row's first place
-  const uint at = atomicAdd(command_rows[row].count, 1u) * 0u;
+// `waves` waves from `wave` on: the commands of bucket k.
+void append_commands(uint row, uint k, uint wave, uint waves) {
+  const bool largest = k + 1u == kCommandBuckets;
+  const uint count = largest ? waves >> k : waves >> k & 1u;
+  if (count == 0u) return;
+#ifdef MUTANT_23  // each command starts where the first did
+  const uint first = wave;
 #else
-  const uint at = atomicAdd(command_rows[row].count, 1u);
+  const uint first = largest ? wave : wave + (waves >> k + 1u << k + 1u);
 #endif
-  commands[command_rows[row].first + at] = wave;
+#ifdef MUTANT_22  // every command takes the row's first place
+  const uint at = command_rows[row].first + atomicAdd(command_rows[row].count, count) * 0u;
+#else
+  const uint at = command_rows[row].first + atomicAdd(command_rows[row].count, count);
+#endif
+  for (uint i = 0u; i < count; ++i) commands[at + i] = first + (i << k);
 }
 
-void command_waves(uint shader, uint kind, uint wave, uint waves) {
-  const uint rows = shader * kCommandRows + kind * kCommandBuckets;
-  for (uint end = wave + waves; wave < end;) {
-    const uint k = min(findMSB(end - wave), int(kCommandBuckets) - 1);
-    append_command(rows + k, wave);
-#ifdef MUTANT_23  // each command starts where the first did
-    end -= 1u << k;
-#else
-    wave += 1u << k;
-#endif
+void write_commands(uint tile) {
+  for (uint i = gl_LocalInvocationID.x; i < shader_slots() * kOverflowRow; i += THREADS) {
+    const uint shader = i / kOverflowRow, r = i % kOverflowRow;
+    const uint wave = first_wave[shader];
+    if (wave == kNowhere) continue;
+    const uint uniform_waves = tile_waves[shader] & 0xffffu, divergent_waves = tile_waves[shader] >> 16u;
+    const uint row = shader * kCommandRows + r;
+    if (r < kCommandBuckets)
+      append_commands(row, r, wave, uniform_waves);
+    else
+      append_commands(row, r - kCommandBuckets, wave + uniform_waves, divergent_waves);
   }
 }

@@ -1,4 +1,4 @@
-// A group a tile: counts as count.glsl does, then adds up the tiles before it while they are still being counted
+// A group a tile: counts and lists as count.glsl does, then adds up the tiles before it while they are still being counted
 // (Merrill, Garland 2016, decoupled look-back), a thread a shader. A tile's state is its own sums until it knows all
 // before it. Tiles are taken in the order in which groups start, so that those waited for have started.
 // A wait is bounded: a thread that gives up says so, and scan_chained.comp scans as ever.
@@ -7,10 +7,8 @@
 #include "kernels/pixel_commands/pixels.glsl"
 #include "kernels/pixel_commands/slots.glsl"
 #include "kernels/pixel_commands/table.glsl"
-#include "kernels/pixel_commands/match.glsl"
 #include "kernels/pixel_commands/groups.glsl"
-
-WRITES(3, TileCommands, tiles);
+#include "kernels/pixel_commands/match.glsl"
 #include "kernels/pixel_commands/chain.glsl"
 UPDATES(4, uint, chain);
 #define ADD_DIGIT(shader, row, n) atomicAdd(chain[kChainDigits + (shader) * kOverflowRow + (row)], n)
@@ -49,21 +47,21 @@ void chain_shader(uint shader, uint tile) {
   const uint at = shader * tile_count(extent()) + tile;
   const uint sums = chain_sums() + at * 2u;
   const uint waves = (shader_waves[shader] & 0xffffu) + (shader_waves[shader] >> 16u);
-  publish(sums, shader_pixels[shader] | kOwn);
+  publish(sums, shader_pixels(shader) | kOwn);
   publish(sums + 1u, waves | kOwn);
   uint pixels_before, waves_before;
   if (sum_before(shader, tile, 0u, pixels_before) && sum_before(shader, tile, 1u, waves_before)) {
 #ifdef MUTANT_35  // what is before is left out
-    publish(sums, shader_pixels[shader] | kInclusive);
+    publish(sums, shader_pixels(shader) | kInclusive);
 #else
-    publish(sums, pixels_before + shader_pixels[shader] | kInclusive);
+    publish(sums, pixels_before + shader_pixels(shader) | kInclusive);
 #endif
     publish(sums + 1u, waves_before + waves | kInclusive);
   } else {
     atomicOr(chain[kChainGaveUp], 1u);
   }
   add_digits(shader, shader_waves[shader]);
-  tiles[at] = TileCommands(shader_pixels[shader], shader_waves[shader], pixels_before, waves_before);
+  tiles[at] = TileCommands(shader_pixels(shader), shader_waves[shader], pixels_before, waves_before);
 }
 
 void main() {
@@ -74,4 +72,6 @@ void main() {
   count_pixels(taken);
   group_surfaces();
   for (uint s = gl_LocalInvocationID.x; s < shader_slots(); s += THREADS) chain_shader(s, taken);
+  write_groups(taken);
+  list_pixels(taken);
 }

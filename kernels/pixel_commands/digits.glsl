@@ -1,10 +1,21 @@
 // How many commands a row has: the binary digits of the tiles' waves, what is above the last bucket counted in it.
 #ifndef ADD_DIGIT  // the includer may count elsewhere
-shared uint digits[kOverflowRow];
-#define ADD_DIGIT(shader, row, n) atomicAdd(digits[row], n)
+const uint kDigitColumns = 32u;  // neighbouring threads count in columns of their own, for one word takes an atomic a turn
+shared uint digits[kOverflowRow * kDigitColumns];
+#define ADD_DIGIT(shader, row, n) \
+  atomicAdd(digits[(row) * kDigitColumns + (gl_LocalInvocationID.x & kDigitColumns - 1u)], n)
 
 void clear_digits(uint thread) {
-  if (thread < kOverflowRow) digits[thread] = 0u;
+  for (uint i = thread; i < kOverflowRow * kDigitColumns; i += kThreads) digits[i] = 0u;
+}
+uint sum_of_digits(uint row) {
+  uint sum = 0u;
+#ifdef MUTANT_42  // the first column alone
+  for (uint column = 0u; column < 1u; ++column) sum += digits[row * kDigitColumns + column];
+#else
+  for (uint column = 0u; column < kDigitColumns; ++column) sum += digits[row * kDigitColumns + column];
+#endif
+  return sum;
 }
 #endif
 

@@ -4,7 +4,7 @@
 #include "kernels/pixel_commands/global_table.glsl"
 
 layout(local_size_x = 256) in;
-const uint kFree = 0xffffffffu, kNowhere = 0xffffffffu;
+const uint kFree = 0xffffffffu;
 
 uvec2 this_pixel() {
   const uint pixel = spread_group() * gl_WorkGroupSize.x + gl_LocalInvocationID.x;

@@ -6,9 +6,10 @@ uint run_starts;                    // bit i: pixel i begins a run
 uint run_place[kPixelsPerThread];   // a run's slot, and how many pixels of its surface are before it; kFree: nowhere
 
 uvec2 pixel_of_thread(uint i) { return uvec2(thread_pixels.x + i, thread_pixels.y); }
+uint first_pixel() { return gl_LocalInvocationID.x * kPixelsPerThread; }  // of the tile's
 
 void find_runs(uint tile) {
-  thread_pixels = pixel_of_tile(tile, gl_LocalInvocationID.x * kPixelsPerThread, params.width);
+  thread_pixels = pixel_of_tile(tile, first_pixel(), params.width);
   run_starts = 1u;
   uint current = surface_of_pixel(thread_pixels);
   for (uint i = 1u; i < kPixelsPerThread; ++i) {
@@ -38,3 +39,9 @@ void count_pixels(uint tile) {
     run_place[r] = slot << kSlotBits | before;
   }
 }
+
+#ifdef STABLE
+#include "kernels/pixel_commands/list_stable.glsl"
+#else
+#include "kernels/pixel_commands/list_runs.glsl"
+#endif

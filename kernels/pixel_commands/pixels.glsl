@@ -1,4 +1,4 @@
-// The surface of a pixel, and the pixel as an entry.
+// The surface of a pixel, and where it is copied to.
 layout(binding = 0) uniform utexture2D visibility;
 #ifdef COPY_BITS  // passes of their own: only they bind the image, and only they run where there is one
 layout(binding = 2) uniform utexture2D copy_bits;
@@ -28,6 +28,4 @@ uint surface_of_pixel(uvec2 pixel) {
 #endif
 }
 
-uint entry_of(uvec2 pixel) {
-  return pixel.x | pixel.y << kEntryCoordinateBits | (copy_bits_of(pixel) & kCopyBits) << kEntryCopyShift;
-}
+uint copies_of_pixel(uvec2 pixel) { return copy_bits_of(pixel) & kCopyBits; }

@@ -111,7 +111,7 @@ DispatchArgs args_of(uint count, uint k) {
 
 uint commands_of(uint shader, uint r) {
   if (shader < cut_shader) return command_rows[shader * kCommandRows + r].count;  // counted by the scan
-  return shader == cut_shader ? digits[r] : 0u;
+  return shader == cut_shader ? sum_of_digits(r) : 0u;
 }
 
 // The shader's unpadded waves, after all padded ones; the last is filled up.

@@ -14,26 +14,36 @@ WRITES(5, uint, entries);
 #include "kernels/pixel_commands/digits.glsl"
 #include "kernels/pixel_commands/room.glsl"
 
-shared uint row_first[kMaxShaders];
+shared uint row_count[kMaxShaders * kOverflowRow];
+shared uint shader_count[kMaxShaders];  // commands
+
+uint commands_before(uint shader, uint r) {
+  uint before = 0u;
+  for (uint s = 0u; s < shader; ++s) before += shader_count[s];
+#ifndef MUTANT_43  // the rows of a shader begin where its first does
+  for (uint below = 0u; below < r; ++below) before += row_count[shader * kOverflowRow + below];
+#endif
+  return before;
+}
 
 void main() {
   const uint thread = gl_LocalInvocationID.x;
-  const uint slots = shader_slots();
+  const uint slots = shader_slots(), all_rows = slots * kOverflowRow;
   find_room(thread);
-  uint commands = 0u;
-  for (uint r = 0u; thread < slots && r < kOverflowRow; ++r) commands += commands_of(thread, r);
-  if (thread < slots) row_first[thread] = commands;
+  for (uint i = thread; i < all_rows; i += kThreads) row_count[i] = commands_of(i / kOverflowRow, i % kOverflowRow);
+  barrier();
+  if (thread < slots) {
+    uint commands = 0u;
+    for (uint r = 0u; r < kOverflowRow; ++r) commands += row_count[thread * kOverflowRow + r];
+    shader_count[thread] = commands;
+  }
   barrier();
   if (thread == 0u) status[0] = CommandStatus(listed, padded_waves, overflow_pixels, 0u, 0u, wanted);
-  if (thread >= slots) return;
-  uint first = 0u;
-  for (uint s = 0u; s < thread; ++s) first += row_first[s];
-  for (uint r = 0u; r < kOverflowRow; ++r) {
-    const uint row = thread * kCommandRows + r;
-    const uint count = commands_of(thread, r);
-    args[row] = args_of(count, r % kCommandBuckets);
-    command_rows[row] = CommandRow(first, 0u);  // the scatter counts them again as it places them
-    first += count;
+  for (uint i = thread; i < all_rows; i += kThreads) {
+    const uint shader = i / kOverflowRow, r = i % kOverflowRow;
+    const uint row = shader * kCommandRows + r;
+    args[row] = args_of(row_count[i], r % kCommandBuckets);
+    command_rows[row] = CommandRow(commands_before(shader, r), 0u);  // the scatter counts as it places them
   }
-  place_overflow(thread);
+  if (thread < slots) place_overflow(thread);
 }

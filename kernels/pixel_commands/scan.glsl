@@ -70,14 +70,14 @@ void main() {
   uvec2 total;
   uvec2 before = sums_before(thread, own, total);
   for (uint t = begin; t < end; ++t) {
-    const uint at = shader * all + t;
-    tiles[at].pixels_before = before.x;
-    tiles[at].waves_before = before.y;
-    const uint waves = tiles[at].waves;
-    add_digits(shader, waves);
-    before += uvec2(tiles[at].pixels, all_waves(waves));
+    TileCommands tile = tiles[shader * all + t];
+    tile.pixels_before = before.x;
+    tile.waves_before = before.y;
+    tiles[shader * all + t] = tile;
+    add_digits(shader, tile.waves);
+    before += uvec2(tile.pixels, all_waves(tile.waves));
   }
   barrier();
   if (thread == 0u) shaders[shader] = ShaderCommands(total.y, total.x, 0u, 0u, 0u);  // rows.comp makes offsets of it
-  if (thread < kOverflowRow) command_rows[shader * kCommandRows + thread] = CommandRow(0u, digits[thread]);
+  if (thread < kOverflowRow) command_rows[shader * kCommandRows + thread] = CommandRow(0u, sum_of_digits(thread));
 }

@@ -1,27 +1,104 @@
-// A group a tile: counts it again, as the count did, and writes its entries. The tiles are walked backwards, so that what
-// the count read last, and the cache may still hold, is read first.
+// A group a tile: its list in waves to where the scan has found room, a wave's lanes side by side, its last filled up.
+// The tiles are walked backwards, so that what the count wrote last, and the cache may still hold, is read first.
 #include "kernels/pixel_commands/common.glsl"
-#include "kernels/pixel_commands/pixels.glsl"
-#include "kernels/pixel_commands/slots.glsl"
-#include "kernels/pixel_commands/table.glsl"
-#include "kernels/pixel_commands/match.glsl"
+
+layout(constant_id = 0) const uint THREADS = 64u;
+layout(local_size_x_id = 0) in;
+READS(3, TileCommands, tiles);
+READS(4, ShaderCommands, shaders);
+WRITES(6, uint, entries);
+WRITES(8, WaveMaterial, wave_materials);
+UPDATES(9, CommandStatus, status);
+READS(10, uint, tile_lists);
+READS(11, uint, tile_groups);
+#include "kernels/pixel_commands/tile_list.glsl"
+#include "kernels/pixel_commands/group_starts.glsl"
 #include "kernels/pixel_commands/place.glsl"
-#if defined(STABLE)
-#include "kernels/pixel_commands/write_stable.glsl"
-#elif defined(MATCH_LANES)
-#include "kernels/pixel_commands/write_lanes.glsl"
+#include "kernels/pixel_commands/list_waves.glsl"
+#if defined(PER_TILE)
+#include "kernels/pixel_commands/tile_dispatch.glsl"
+#elif defined(STABLE)
+void write_commands(uint tile) {}  // commands_stable.comp has them
 #else
-#include "kernels/pixel_commands/write_runs.glsl"
+#include "kernels/pixel_commands/commands.glsl"
 #endif
+
+void load_starts(uint tile) {
+  for (uint w = gl_LocalInvocationID.x; w < kStartWords; w += THREADS)
+    group_starts[w] = tile_groups[tile * kTileWords + w];
+  if (gl_LocalInvocationID.x != 0u) return;
+  const uint unlisted = tile_groups[tile * kTileWords + kUnlistedWord];
+  if (unlisted > 0u) atomicAdd(status[0].unlisted, unlisted);
+  listed = tile_groups[tile * kTileWords + kListedWord];
+}
+
+// The pixel of a word of the list; `corner`: the tile's first.
+uint entry_of_word(uint word, uvec2 corner) {
+  return entry_of(corner + uvec2(word % kTileSide, word / kTileSide % kTileSide), word >> kListCopyShift & kCopyBits);
+}
+
+// Of each wave: its first entry; what its lanes write.
+shared uint entry_at[kTilePixels];
+shared uint lanes_at[kTilePixels];  // position of the first in bits 0..10, lanes with a pixel in 11..18, that write above
+const uint kFilledShift = 11u, kWrittenShift = 19u;
+
+void place_wave(uint tile, uint wave) {
+  const uint first = wave_position(wave), filled = wave_position(wave + 1u) - first;
+  const uint key = tile_lists[tile * kTilePixels + first] >> kListKeyShift & (1u << kKeyBits) - 1u;
+  const uint shader = shader_of(key);
+  if (first_wave[shader] == kNowhere) {
+#ifdef MUTANT_41  // the pixels of lower shaders leave a hole
+    entry_at[wave] = first_overflow[shader] + first;
+#else
+    entry_at[wave] = first_overflow[shader] + first - pixels_below[shader];
+#endif
+    lanes_at[wave] = first | filled << kFilledShift | (first_overflow[shader] == kNowhere ? 0u : filled) << kWrittenShift;
+    return;
+  }
+#ifdef MUTANT_40  // the waves of lower shaders leave a hole
+  const uint to = first_wave[shader] + wave;
+#else
+  const uint to = first_wave[shader] + wave - waves_below[shader];
+#endif
+  entry_at[wave] = to << wave_log2();
+#ifdef MUTANT_21  // the last wave of a group is not filled up
+  lanes_at[wave] = first | filled << kFilledShift | filled << kWrittenShift;
+#else
+  lanes_at[wave] = first | filled << kFilledShift | wave_size() << kWrittenShift;
+#endif
+#ifdef MUTANT_39  // every wave begins a group
+  wave_materials[to] = WaveMaterial(material_of(key), to);
+#else
+  wave_materials[to] = WaveMaterial(material_of(key), to - wave_number(wave));
+#endif
+}
+
+// Lanes side by side, those past the end of a group write padding.
+void write_entries(uint tile) {
+  const uvec2 corner = pixel_of_tile(tile, 0u, params.width);
+  const uint log2 = wave_log2(), all = waves << log2;
+  for (uint i = gl_LocalInvocationID.x; i < all; i += THREADS) {
+    const uint wave = i >> log2, lane = i & (1u << log2) - 1u, lanes = lanes_at[wave];
+    if (lane >= lanes >> kWrittenShift) continue;
+    const uint filled = lanes >> kFilledShift & 0xffu, first = lanes & (1u << kFilledShift) - 1u;
+    const uint word = tile_lists[tile * kTilePixels + first + min(lane, filled - 1u)];
+    entries[entry_at[wave] + lane] = lane < filled ? entry_of_word(word, corner) : kEntryInvalid;
+  }
+}
 
 void main() {
   const uint tile = tile_count(extent()) - 1u - spread_group();
   if (tile >= tile_count(extent())) return;  // the whole group: past the end it wraps
-  clear_groups();
-  clear_table();
-  count_pixels(tile);
-  place_groups(tile);
-  write_pixels(tile);
-  write_waves(tile);
+  load_starts(tile);
+  load_sums(tile);
+  barrier();
+  place_shaders(tile);
+  list_waves();
+  barrier();
   write_commands(tile);
+  for (uint wave = gl_LocalInvocationID.x; wave < waves; wave += THREADS) place_wave(tile, wave);
+#ifndef MUTANT_38  // the barrier dropped: waves that higher subgroups have yet to place
+  barrier();
+#endif
+  write_entries(tile);
 }

@@ -1,10 +1,6 @@
 // The (shader, material) that a surface has.
 READS(1, SurfaceSlot, surface_slots);
 
-const uint kMaterialBits = 12u;  // kMaxMaterials
-uint shader_of(uint key) { return key >> kMaterialBits; }
-uint material_of(uint key) { return key & (kMaxMaterials - 1u); }
-
 // Ascending with the shader, then the material.
 uint key_of(uint surface) {
   if (surface == kWrongSurface) return kUnlisted;
@@ -13,7 +9,7 @@ uint key_of(uint surface) {
   if (slot.shader >= shader_slots()) return kUnlisted;
   return slot.shader << kMaterialBits | min(slot.material, min(params.materials, kMaxMaterials) - 1u);
 #else
-  const bool listed = slot.shader < shader_slots() && slot.material < min(params.materials, kMaxMaterials);
-  return listed ? slot.shader << kMaterialBits | slot.material : kUnlisted;
+  const bool visible = slot.shader < shader_slots() && slot.material < min(params.materials, kMaxMaterials);
+  return visible ? slot.shader << kMaterialBits | slot.material : kUnlisted;
 #endif
 }

@@ -17,6 +17,6 @@ void main() {
   const uint key = surface == kNoSurface ? kUnlisted : key_of(surface);
   const uint materials = min(params.materials, kMaxMaterials);
   const uint tile = shader_of(key) * tile_count(extent()) + tile_of_pixel(at, params.width);
-  sort_keys[pixel] = key == kUnlisted ? kUnlisted : tile * materials + material_of(key);
-  sorted[pixel] = key == kUnlisted ? kEntryInvalid : entry_of(at);
+  sort_keys[pixel] = key == kUnlisted ? 0xffffffffu : tile * materials + material_of(key);
+  sorted[pixel] = key == kUnlisted ? kEntryInvalid : entry_of(at, copies_of_pixel(at));
 }

@@ -1,0 +1,2 @@
+#version 460
+#include "kernels/pixel_commands/global_list.glsl"

@@ -1,2 +1,0 @@
-#version 460
-#include "kernels/pixel_commands/global_scatter.glsl"

@@ -1,3 +1,0 @@
-#version 460
-#define COPY_BITS
-#include "kernels/pixel_commands/scatter.glsl"

@@ -1,3 +1,0 @@
-#version 460
-#define MATCH_LANES
-#include "kernels/pixel_commands/scatter.glsl"
