@@ -1,18 +1,27 @@
-// A bit for each position of the tile's list at which a group begins.
+// A bit for each position of the tile's list at which a group begins, and a bit for each word of them that is not 0, so
+// that a look ahead or back is not a search.
 shared uint group_starts[kStartWords];
+shared uint words_with_starts;
 shared uint listed;  // pixels of the list
 
-// The last start of a group at or before the position, which is in the list.
+uint bits_below(uint n) { return (1u << n) - 1u; }  // n below 32
+
+// The last start of a group before position word * 32; there is one, for the list has one at 0.
+uint start_before(uint word) {
+  const uint below = findMSB(words_with_starts & bits_below(word));
+  return below << 5u | uint(findMSB(group_starts[below]));
+}
+// The last one at or before the position, which is in the list.
 uint group_start(uint position) {
-  uint word = position >> 5u;
-  uint bits = group_starts[word] & (2u << (position & 31u)) - 1u;
-  while (bits == 0u && word > 0u) bits = group_starts[--word];
-  return word << 5u | uint(findMSB(bits));
+  const uint word = position >> 5u, bits = group_starts[word] & (2u << (position & 31u)) - 1u;
+  return bits != 0u ? word << 5u | uint(findMSB(bits)) : start_before(word);
 }
 // The first one after it, the end of the list where there is none.
 uint group_end(uint position) {
-  uint word = position >> 5u;
-  uint bits = group_starts[word] & ~((2u << (position & 31u)) - 1u);
-  while (bits == 0u && ++word < kStartWords) bits = group_starts[word];
-  return bits == 0u ? listed : word << 5u | uint(findLSB(bits));
+  const uint word = position >> 5u, bits = group_starts[word] & ~((2u << (position & 31u)) - 1u);
+  if (bits != 0u) return word << 5u | uint(findLSB(bits));
+  const uint words = words_with_starts & ~((2u << word) - 1u);
+  if (words == 0u) return listed;
+  const uint above = findLSB(words);
+  return above << 5u | uint(findLSB(group_starts[above]));
 }

@@ -1,7 +1,7 @@
 // From a tile's surfaces to its list (tile_list.glsl). Surfaces are sorted by key; a surface that is alone with its key
 // is a uniform group, several are a divergent one. Sums of pixels before a surface, of both kinds at once, then say
 // where it stands.
-// Loop turns of an invocation: those of the sort, the threads, and for each of its share of the surfaces 32.
+// Loop turns of an invocation: those of the sort, the threads, and four times its share of the surfaces.
 #include "kernels/pixel_commands/list_pixel.glsl"
 #include "kernels/pixel_commands/group_starts.glsl"
 #include "kernels/pixel_commands/sort_surfaces.glsl"
@@ -27,6 +27,7 @@ void clear_groups() {
   }
   for (uint w = gl_LocalInvocationID.x; w < kStartWords; w += THREADS) group_starts[w] = 0u;
   if (gl_LocalInvocationID.x == 0u) {
+    words_with_starts = 0u;
     listed = 0u;
     unlisted = 0u;
   }
@@ -85,7 +86,10 @@ void place_surface(uint i, uint before) {
   const uint at =
       alone ? (shader_first[shader] >> 16u) + (before & 0xffffu) : (shader_end[shader] & 0xffffu) + (before >> 16u);
 #endif
-  if (starts_group(i)) atomicOr(group_starts[at >> 5u], 1u << (at & 31u));
+  if (starts_group(i)) {
+    atomicOr(group_starts[at >> 5u], 1u << (at & 31u));
+    atomicOr(words_with_starts, 1u << (at >> 5u));
+  }
   pixels_at[slot] = (alone ? key : key | kListDivergent) << kPlaceBits | at;
 }
 
@@ -138,7 +142,10 @@ void group_surfaces() {
 // What the scatter is to know of the tile's list beside its pixels.
 void write_groups(uint tile) {
   for (uint w = gl_LocalInvocationID.x; w < kTileWords; w += THREADS)
-    tile_groups[tile * kTileWords + w] = w < kStartWords ? group_starts[w] : w == kListedWord ? listed : unlisted;
+    tile_groups[tile * kTileWords + w] = w < kStartWords        ? group_starts[w]
+                                         : w == kWordsWithStarts ? words_with_starts
+                                         : w == kListedWord      ? listed
+                                                                 : unlisted;
 }
 void write_sums(uint tile) {
   const uint all = tile_count(extent());

@@ -75,7 +75,7 @@ Port tile_lists() {
   return listed(writes<uint>("tile_lists", [](const Case& c) { return tiles(c) * kTilePixels; }));
 }
 Port tile_groups() {
-  return listed(writes<uint>("tile_groups", [](const Case& c) { return tiles(c) * (kTilePixels / 32 + 2); }));
+  return listed(writes<uint>("tile_groups", [](const Case& c) { return tiles(c) * (kTilePixels / 32 + 3); }));
 }
 Port command_list() {
   Port port = listed(writes<uint>("commands", waves));
@@ -150,18 +150,18 @@ std::vector<Variant> variants() {
        .note = "a tile\'s surfaces in global memory, two atomics a pixel"},
       {.name = "tile_local",
        .passes = in_order({by_copies("count", per_tile), {scan, rows, scatter}}),
-       .constants = {{"THREADS", {64, 256}}},
+       .constants = {{"THREADS", {64, 256}}, {"ABREAST", {1, 32}}},
        .note = "in shared memory, an atomic a run of a thread's pixels"},
       {.name = "subgroup",
        .passes = in_order({by_copies("count_lanes", per_tile), {scan, rows, scatter}}),
-       .constants = {{"THREADS", {256, 64}}},
+       .constants = {{"THREADS", {256, 64}}, {"ABREAST", {32}}},
        .needs = {Feature::subgroup_ballot},
        .note = "in shared memory, an atomic a subgroup and surface"},
       {.name = "single_pass",
        .passes = in_order({{Clear{"chain"}},
                            by_copies("count_chained", per_tile),
                            {Dispatch{"scan_chained.comp", per_shader}, rows, scatter}}),
-       .constants = {{"THREADS", {64, 256}}, {"PATIENCE", {4096, 1}}},
+       .constants = {{"THREADS", {64, 256}}, {"PATIENCE", {4096, 1}}, {"ABREAST", {32}}},
        .needs = {Feature::forward_progress},
        .note = "the count adds up the tiles before it as they are counted; a scan where that takes too long"},
       {.name = "stable",

@@ -2,8 +2,9 @@
 // The tiles are walked backwards, so that what the count wrote last, and the cache may still hold, is read first.
 #include "kernels/pixel_commands/common.glsl"
 
-layout(constant_id = 0) const uint THREADS = 64u;
+layout(constant_id = 0) const uint THREADS = 64u;  // at least kStartWords
 layout(local_size_x_id = 0) in;
+layout(constant_id = 2) const uint ABREAST = 1u;  // threads that write a wave side by side
 READS(3, TileCommands, tiles);
 READS(4, ShaderCommands, shaders);
 WRITES(6, uint, entries);
@@ -29,6 +30,7 @@ void load_starts(uint tile) {
   if (gl_LocalInvocationID.x != 0u) return;
   const uint unlisted = tile_groups[tile * kTileWords + kUnlistedWord];
   if (unlisted > 0u) atomicAdd(status[0].unlisted, unlisted);
+  words_with_starts = tile_groups[tile * kTileWords + kWordsWithStarts];
   listed = tile_groups[tile * kTileWords + kListedWord];
 }
 
@@ -73,16 +75,18 @@ void place_wave(uint tile, uint wave) {
 #endif
 }
 
-// Lanes side by side, those past the end of a group write padding.
+// Lanes past the end of a group write padding.
 void write_entries(uint tile) {
   const uvec2 corner = pixel_of_tile(tile, 0u, params.width);
-  const uint log2 = wave_log2(), all = waves << log2;
+  const uint all = waves * ABREAST;
   for (uint i = gl_LocalInvocationID.x; i < all; i += THREADS) {
-    const uint wave = i >> log2, lane = i & (1u << log2) - 1u, lanes = lanes_at[wave];
-    if (lane >= lanes >> kWrittenShift) continue;
-    const uint filled = lanes >> kFilledShift & 0xffu, first = lanes & (1u << kFilledShift) - 1u;
-    const uint word = tile_lists[tile * kTilePixels + first + min(lane, filled - 1u)];
-    entries[entry_at[wave] + lane] = lane < filled ? entry_of_word(word, corner) : kEntryInvalid;
+    const uint wave = i / ABREAST, lanes = lanes_at[wave], to = entry_at[wave];
+    const uint written = lanes >> kWrittenShift, filled = lanes >> kFilledShift & 0xffu;
+    const uint from = tile * kTilePixels + (lanes & bits_below(kFilledShift));
+    for (uint lane = i % ABREAST; lane < written; lane += ABREAST) {
+      const uint word = tile_lists[from + min(lane, filled - 1u)];
+      entries[to + lane] = lane < filled ? entry_of_word(word, corner) : kEntryInvalid;
+    }
   }
 }
 
@@ -91,6 +95,7 @@ void main() {
   if (tile >= tile_count(extent())) return;  // the whole group: past the end it wraps
   load_starts(tile);
   load_sums(tile);
+  clear_waves();
   barrier();
   place_shaders(tile);
   list_waves();
