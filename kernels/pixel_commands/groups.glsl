@@ -33,19 +33,28 @@ void clear_groups() {
   }
 }
 
-// Of the i-th surface, sorted.
 uint slot_at(uint i) { return used_slots[i] & (1u << kSlotBits) - 1u; }
-uint key_at(uint i) { return used_slots[i] >> kSlotBits; }
-bool starts_group(uint i) { return i == 0u || key_at(i - 1u) != key_at(i); }
-bool ends_group(uint i) { return i + 1u == used || key_at(i + 1u) != key_at(i); }
+
+struct Surface {  // the i-th, sorted
+  uint slot, key, shader;
+  bool starts_group, ends_group, starts_shader, ends_shader, ends_list;
+};
+Surface surface(uint i) {
+  const uint word = used_slots[i], key = word >> kSlotBits;
+  const uint key_below = used_slots[max(i, 1u) - 1u] >> kSlotBits, key_above = used_slots[min(i + 1u, used - 1u)] >> kSlotBits;
+  const bool first = i == 0u, last = i + 1u == used, last_listed = last || key_above == kUnlisted;
+  return Surface(word & (1u << kSlotBits) - 1u, key, shader_of(key), first || key_below != key, last || key_above != key,
+                 first || shader_of(key_below) != shader_of(key),
+                 last_listed || shader_of(key_above) != shader_of(key), last_listed);
+}
 #ifdef MUTANT_10  // several surfaces pass for one
-bool is_uniform(uint i) { return true; }
+bool is_uniform(Surface s) { return true; }
 #else
-bool is_uniform(uint i) { return starts_group(i) && ends_group(i); }
+bool is_uniform(Surface s) { return s.starts_group && s.ends_group; }
 #endif
-uint kinds_of(uint i) {
-  if (key_at(i) == kUnlisted) return 0u;
-  return pixels_at[slot_at(i)] << (is_uniform(i) ? 0u : 16u);
+uint kinds_of(Surface s) {
+  const uint pixels = pixels_at[s.slot];
+  return s.key == kUnlisted ? 0u : is_uniform(s) ? pixels : pixels << 16u;
 }
 
 // Pixels before the thread's share of the surfaces.
@@ -61,48 +70,44 @@ uint kinds_before(uint thread, uint share, uint own) {
   return before;
 }
 
-// The shader's bounds, where the i-th surface is its first or its last.
-void bound_shader(uint i, uint before) {
-  const uint key = key_at(i), shader = shader_of(key), end = before + kinds_of(i);
-  if (key == kUnlisted) return;
-  if (i == 0u || shader_of(key_at(i - 1u)) != shader) shader_first[shader] = before;
-  const bool last = i + 1u == used || key_at(i + 1u) == kUnlisted;
-  if (last || shader_of(key_at(i + 1u)) != shader) shader_end[shader] = end;
-  if (last) listed = both(end);
+// The shader's bounds, where the surface is its first or its last.
+void bound_shader(Surface s, uint before, uint end) {
+  if (s.key == kUnlisted) return;
+  if (s.starts_shader) shader_first[s.shader] = before;
+  if (s.ends_shader) shader_end[s.shader] = end;
+  if (s.ends_list) listed = both(end);
 }
 
 // Its place (tile_list.glsl) takes that of its pixels in the table.
-void place_surface(uint i, uint before) {
-  const uint slot = slot_at(i), key = key_at(i), shader = shader_of(key);
-  if (key == kUnlisted) {
-    atomicAdd(unlisted, pixels_at[slot]);
-    pixels_at[slot] = kNowhere;
+void place_surface(Surface s, uint before) {
+  if (s.key == kUnlisted) {
+    atomicAdd(unlisted, pixels_at[s.slot]);
+    pixels_at[s.slot] = kNowhere;
     return;
   }
-  const bool alone = is_uniform(i);
+  const bool alone = is_uniform(s);
 #ifdef MUTANT_18  // divergent groups over the uniform ones
-  const uint at = (shader_first[shader] >> 16u) + (alone ? before & 0xffffu : before >> 16u);
+  const uint at = (shader_first[s.shader] >> 16u) + (alone ? before & 0xffffu : before >> 16u);
 #else
   const uint at =
-      alone ? (shader_first[shader] >> 16u) + (before & 0xffffu) : (shader_end[shader] & 0xffffu) + (before >> 16u);
+      alone ? (shader_first[s.shader] >> 16u) + (before & 0xffffu) : (shader_end[s.shader] & 0xffffu) + (before >> 16u);
 #endif
-  if (starts_group(i)) {
+  if (s.starts_group) {
     atomicOr(group_starts[at >> 5u], 1u << (at & 31u));
     atomicOr(words_with_starts, 1u << (at >> 5u));
   }
-  pixels_at[slot] = (alone ? key : key | kListDivergent) << kPlaceBits | at;
+  pixels_at[s.slot] = (alone ? s.key : s.key | kListDivergent) << kPlaceBits | at;
 }
 
-void add_waves(uint i) {
-  const uint key = key_at(i);
-  if (key == kUnlisted || !starts_group(i)) return;
-  const uint at = position_of(pixels_at[slot_at(i)]);
+void add_waves(Surface s) {
+  if (s.key == kUnlisted || !s.starts_group) return;
+  const uint at = position_of(pixels_at[s.slot]);
 #ifdef MUTANT_12  // waves rounded down
   const uint waves = group_end(at) - at >> wave_log2();
 #else
   const uint waves = waves_of(group_end(at) - at);
 #endif
-  atomicAdd(shader_waves[shader_of(key)], waves << (is_uniform(i) ? 0u : 16u));
+  atomicAdd(shader_waves[s.shader], waves << (is_uniform(s) ? 0u : 16u));
 }
 
 // Groups the tile's surfaces, and sums them by shader. Call it with the table filled.
@@ -118,24 +123,27 @@ void group_surfaces() {
   const uint share = ceil_div(used, THREADS);
   const uint begin = min(thread * share, used), end = min(begin + share, used);
   uint own = 0u;
-  for (uint i = begin; i < end; ++i) own += kinds_of(i);
+  for (uint i = begin; i < end; ++i) own += kinds_of(surface(i));
   const uint first = kinds_before(thread, share, own);
   uint before = first;
   for (uint i = begin; i < end; ++i) {
-    bound_shader(i, before);
-    before += kinds_of(i);
+    const Surface s = surface(i);
+    const uint kinds = kinds_of(s);
+    bound_shader(s, before, before + kinds);
+    before += kinds;
   }
   barrier();
   before = first;
   for (uint i = begin; i < end; ++i) {
-    const uint kinds = kinds_of(i);
-    place_surface(i, before);
+    const Surface s = surface(i);
+    const uint kinds = kinds_of(s);
+    place_surface(s, before);
     before += kinds;
   }
 #ifndef MUTANT_33  // the barrier dropped: groups end where higher subgroups have yet to say
   barrier();
 #endif
-  for (uint i = begin; i < end; ++i) add_waves(i);
+  for (uint i = begin; i < end; ++i) add_waves(surface(i));
   barrier();
 }
 
