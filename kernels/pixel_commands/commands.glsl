@@ -26,11 +26,9 @@ void write_commands(uint tile) {
     const uint shader = i / kOverflowRow, r = i % kOverflowRow;
     const uint wave = first_wave[shader];
     if (wave == kNowhere) continue;
-    const uint uniform_waves = tile_waves[shader] & 0xffffu, divergent_waves = tile_waves[shader] >> 16u;
-    const uint row = shader * kCommandRows + r;
-    if (r < kCommandBuckets)
-      append_commands(row, r, wave, uniform_waves);
-    else
-      append_commands(row, r - kCommandBuckets, wave + uniform_waves, divergent_waves);
+    const uint kinds = tile_waves[shader], uniform_waves = kinds & 0xffffu;
+    const bool uniform_list = r < kCommandBuckets;
+    append_commands(shader * kCommandRows + r, r % kCommandBuckets, uniform_list ? wave : wave + uniform_waves,
+                    uniform_list ? uniform_waves : kinds >> 16u);
   }
 }

@@ -1,5 +1,5 @@
 // A bit for each position of the tile's list at which a group begins, and a bit for each word of them that is not 0, so
-// that a look ahead or back is not a search.
+// that a look back is not a search.
 shared uint group_starts[kStartWords];
 shared uint words_with_starts;
 shared uint listed;  // pixels of the list
@@ -15,13 +15,4 @@ uint start_before(uint word) {
 uint group_start(uint position) {
   const uint word = position >> 5u, bits = group_starts[word] & (2u << (position & 31u)) - 1u;
   return bits != 0u ? word << 5u | uint(findMSB(bits)) : start_before(word);
-}
-// The first one after it, the end of the list where there is none.
-uint group_end(uint position) {
-  const uint word = position >> 5u, bits = group_starts[word] & ~((2u << (position & 31u)) - 1u);
-  if (bits != 0u) return word << 5u | uint(findLSB(bits));
-  const uint words = words_with_starts & ~((2u << word) - 1u);
-  if (words == 0u) return listed;
-  const uint above = findLSB(words);
-  return above << 5u | uint(findLSB(group_starts[above]));
 }

@@ -1,6 +1,6 @@
 // From a tile's surfaces to its list (tile_list.glsl). Surfaces are sorted by key; a surface that is alone with its key
 // is a uniform group, several are a divergent one. Sums of pixels before a surface, of both kinds at once, then say
-// where it stands.
+// where it stands. On lavapipe what is in an `if` is paid for in any case, and every read of shared memory.
 // Loop turns of an invocation: those of the sort, the threads, and four times its share of the surfaces.
 #include "kernels/pixel_commands/list_pixel.glsl"
 #include "kernels/pixel_commands/group_starts.glsl"
@@ -9,15 +9,21 @@
 WRITES(3, TileCommands, tiles);
 WRITES(11, uint, tile_groups);
 
-// Pixels, those of uniform groups in bits 0..15, of divergent ones above: before the shader's first, and with its last.
-shared uint shader_first[kMaxShaders];
+// Sums over the surfaces before, in one word that may wrap at the end of a full list: pixels of uniform groups in bits
+// 0..10, of divergent ones in 11..21, groups in 22..31.
+const uint kDivergentShift = 11u, kGroupShift = 22u;
+uint uniform_pixels(uint sums) { return sums & bits_below(kDivergentShift); }
+uint divergent_pixels(uint sums) { return sums >> kDivergentShift & bits_below(kDivergentShift); }
+uint both(uint sums) { return uniform_pixels(sums) + divergent_pixels(sums); }
+#define GROUP_FIRST surface_at  // a group, sorted: divergent pixels before it. Surfaces are no longer asked for by then
+
+shared uint shader_first[kMaxShaders];  // before the shader's first surface, and with its last
 shared uint shader_end[kMaxShaders];
 shared uint shader_waves[kMaxShaders];  // as TileCommands.waves
 shared uint sums[THREADS];
 shared uint unlisted;
 
-uint both(uint kinds) { return (kinds & 0xffffu) + (kinds >> 16u); }
-uint shader_pixels(uint shader) { return both(shader_end[shader] - shader_first[shader]); }
+uint shader_pixels(uint shader) { return both(shader_end[shader]) - both(shader_first[shader]); }
 
 void clear_groups() {
   for (uint s = gl_LocalInvocationID.x; s < kMaxShaders; s += THREADS) {
@@ -39,10 +45,10 @@ struct Surface {  // the i-th, sorted
   uint slot, key, shader;
   bool starts_group, ends_group, starts_shader, ends_shader, ends_list;
 };
-Surface surface(uint i) {
+Surface surface(uint i, uint n) {
   const uint word = used_slots[i], key = word >> kSlotBits;
-  const uint key_below = used_slots[max(i, 1u) - 1u] >> kSlotBits, key_above = used_slots[min(i + 1u, used - 1u)] >> kSlotBits;
-  const bool first = i == 0u, last = i + 1u == used, last_listed = last || key_above == kUnlisted;
+  const uint key_below = used_slots[max(i, 1u) - 1u] >> kSlotBits, key_above = used_slots[min(i + 1u, n - 1u)] >> kSlotBits;
+  const bool first = i == 0u, last = i + 1u == n, last_listed = last || key_above == kUnlisted;
   return Surface(word & (1u << kSlotBits) - 1u, key, shader_of(key), first || key_below != key, last || key_above != key,
                  first || shader_of(key_below) != shader_of(key),
                  last_listed || shader_of(key_above) != shader_of(key), last_listed);
@@ -52,34 +58,50 @@ bool is_uniform(Surface s) { return true; }
 #else
 bool is_uniform(Surface s) { return s.starts_group && s.ends_group; }
 #endif
-uint kinds_of(Surface s) {
+// Its part of the sums; the group is counted with its last surface.
+uint part_of(Surface s) {
   const uint pixels = pixels_at[s.slot];
-  return s.key == kUnlisted ? 0u : is_uniform(s) ? pixels : pixels << 16u;
+  const uint part = is_uniform(s) ? pixels : pixels << kDivergentShift;
+  return s.key == kUnlisted ? 0u : s.ends_group ? part + (1u << kGroupShift) : part;
 }
 
-// Pixels before the thread's share of the surfaces.
-uint kinds_before(uint thread, uint share, uint own) {
+// What is before the thread's share of the surfaces.
+uint sums_before(uint thread, uint share, uint n, uint own) {
   sums[thread] = own;
   barrier();
   uint before = 0u;
 #ifdef MUTANT_9  // its own pixels count
-  for (uint t = 0u; t <= thread && t * share < used; ++t) before += sums[t];
+  for (uint t = 0u; t <= thread && t * share < n; ++t) before += sums[t];
 #else
-  for (uint t = 0u; t < thread && t * share < used; ++t) before += sums[t];
+  for (uint t = 0u; t < thread && t * share < n; ++t) before += sums[t];
 #endif
   return before;
 }
 
-// The shader's bounds, where the surface is its first or its last.
-void bound_shader(Surface s, uint before, uint end) {
+// What others ask for: bounds of its shader, the first of its group.
+void bound_surface(Surface s, uint before, uint end) {
   if (s.key == kUnlisted) return;
+  if (s.starts_group) GROUP_FIRST[before >> kGroupShift] = divergent_pixels(before);
   if (s.starts_shader) shader_first[s.shader] = before;
   if (s.ends_shader) shader_end[s.shader] = end;
   if (s.ends_list) listed = both(end);
 }
 
+// The waves of a group, when its last surface is at hand.
+void add_waves(Surface s, uint before, uint end) {
+  const bool alone = is_uniform(s);
+  const uint pixels = alone ? uniform_pixels(end) - uniform_pixels(before)
+                            : divergent_pixels(end) - GROUP_FIRST[before >> kGroupShift];
+#ifdef MUTANT_12  // waves rounded down
+  const uint waves = pixels >> wave_log2();
+#else
+  const uint waves = waves_of(pixels);
+#endif
+  if (s.ends_group) atomicAdd(shader_waves[s.shader], waves << (alone ? 0u : 16u));
+}
+
 // Its place (tile_list.glsl) takes that of its pixels in the table.
-void place_surface(Surface s, uint before) {
+void place_surface(Surface s, uint before, uint end) {
   if (s.key == kUnlisted) {
     atomicAdd(unlisted, pixels_at[s.slot]);
     pixels_at[s.slot] = kNowhere;
@@ -87,27 +109,17 @@ void place_surface(Surface s, uint before) {
   }
   const bool alone = is_uniform(s);
 #ifdef MUTANT_18  // divergent groups over the uniform ones
-  const uint at = (shader_first[s.shader] >> 16u) + (alone ? before & 0xffffu : before >> 16u);
+  const uint at = divergent_pixels(shader_first[s.shader]) + (alone ? uniform_pixels(before) : divergent_pixels(before));
 #else
-  const uint at =
-      alone ? (shader_first[s.shader] >> 16u) + (before & 0xffffu) : (shader_end[s.shader] & 0xffffu) + (before >> 16u);
+  const uint at = alone ? divergent_pixels(shader_first[s.shader]) + uniform_pixels(before)
+                        : uniform_pixels(shader_end[s.shader]) + divergent_pixels(before);
 #endif
   if (s.starts_group) {
     atomicOr(group_starts[at >> 5u], 1u << (at & 31u));
     atomicOr(words_with_starts, 1u << (at >> 5u));
   }
   pixels_at[s.slot] = (alone ? s.key : s.key | kListDivergent) << kPlaceBits | at;
-}
-
-void add_waves(Surface s) {
-  if (s.key == kUnlisted || !s.starts_group) return;
-  const uint at = position_of(pixels_at[s.slot]);
-#ifdef MUTANT_12  // waves rounded down
-  const uint waves = group_end(at) - at >> wave_log2();
-#else
-  const uint waves = waves_of(group_end(at) - at);
-#endif
-  atomicAdd(shader_waves[s.shader], waves << (is_uniform(s) ? 0u : 16u));
+  add_waves(s, before, end);
 }
 
 // Groups the tile's surfaces, and sums them by shader. Call it with the table filled.
@@ -116,34 +128,32 @@ void group_surfaces() {
 #ifndef MUTANT_11  // the barrier dropped: surfaces that higher subgroups have yet to list
   barrier();
 #endif
-  for (uint i = thread; i < used; i += THREADS)
-    used_slots[i] |= key_of(surface_at[used_slots[i]]) << kSlotBits;
+  const uint n = used;
+  for (uint i = thread; i < n; i += THREADS) used_slots[i] |= key_of(surface_at[used_slots[i]]) << kSlotBits;
   barrier();
-  sort_surfaces(thread);
-  const uint share = ceil_div(used, THREADS);
-  const uint begin = min(thread * share, used), end = min(begin + share, used);
+  sort_surfaces(thread, n);
+  const uint share = ceil_div(n, THREADS);
+  const uint begin = min(thread * share, n), end = min(begin + share, n);
   uint own = 0u;
-  for (uint i = begin; i < end; ++i) own += kinds_of(surface(i));
-  const uint first = kinds_before(thread, share, own);
+  for (uint i = begin; i < end; ++i) own += part_of(surface(i, n));
+  const uint first = sums_before(thread, share, n, own);
   uint before = first;
   for (uint i = begin; i < end; ++i) {
-    const Surface s = surface(i);
-    const uint kinds = kinds_of(s);
-    bound_shader(s, before, before + kinds);
-    before += kinds;
+    const Surface s = surface(i, n);
+    const uint part = part_of(s);
+    bound_surface(s, before, before + part);
+    before += part;
   }
-  barrier();
-  before = first;
-  for (uint i = begin; i < end; ++i) {
-    const Surface s = surface(i);
-    const uint kinds = kinds_of(s);
-    place_surface(s, before);
-    before += kinds;
-  }
-#ifndef MUTANT_33  // the barrier dropped: groups end where higher subgroups have yet to say
+#ifndef MUTANT_33  // the barrier dropped: uniform pixels of a shader whose last surface a higher subgroup has yet to see
   barrier();
 #endif
-  for (uint i = begin; i < end; ++i) add_waves(surface(i));
+  before = first;
+  for (uint i = begin; i < end; ++i) {
+    const Surface s = surface(i, n);
+    const uint part = part_of(s);
+    place_surface(s, before, before + part);
+    before += part;
+  }
   barrier();
 }
 

@@ -133,6 +133,14 @@ std::vector<HardCase> materials() {
          return to_case(drawn(with_slots({64, 32}, 1, 2, {{0, 0}, {0, 0}, {0, 1}}),
                               [](uint32_t x, uint32_t y) { return (x + y) % 3; }));
        }},
+      {"sixty_uniform_after_divergent",
+       "where the divergent group stands, the last of sixty uniform ones after it decides",
+       [] {
+         std::vector<SurfaceSlot> slots = {{0, 0}, {0, 0}};
+         for (uint i = 1; i <= 60; ++i) slots.push_back({0, i});
+         return to_case(
+             drawn(with_slots({64, 32}, 1, 61, slots), [](uint32_t x, uint32_t y) { return (x * 5 + y * 7) % 62; }));
+       }},
       {"material_of_two_shaders", "one material slot under two shaders is two groups",
        [] {
          return to_case(
@@ -353,7 +361,7 @@ std::vector<Mutant> mutants() {
       {"commands_stable.comp", 27, "the barrier before the sum is dropped", "tiles_1536"},
       {"global_pixels.glsl", 28, "a slot in global memory is taken without an atomic", "hash_collisions"},
       {"global_count.glsl", 29, "the atomic of a pixel is lost", "one_material"},
-      {"groups.glsl", 33, "the barrier before the ends of groups is dropped", "hash_collisions"},
+      {"groups.glsl", 33, "the barrier before the places is dropped", "sixty_uniform_after_divergent"},
       {"list_runs.glsl", 34, "the pixels of a run share one place", "one_material"},
       {"sort_surfaces.glsl", 36, "the barrier before the sorted words is dropped", "hash_collisions"},
       {"sort_surfaces.glsl", 37, "the sort merges no halves", "shaders_64"},
@@ -366,7 +374,7 @@ std::vector<Mutant> mutants() {
       {"sort_scatter.glsl", 30, "the barrier after the scan of a block is dropped", "twenty_surfaces"},
       {"sort_scan.comp", 31, "a block's own pairs are before it", "twenty_surfaces"},
       {"digits.glsl", 42, "only every 32nd thread's commands count", "tiles_1536"},
-      {"rows.comp", 43, "the rows of a shader begin where its first does", "all_digits"},
+      {"rows.comp", 43, "rows beyond the group's threads are left out", "shaders_64"},
       {"digits.glsl", 25, "what is beyond the last bucket is one command", "small_waves"},
   };
 }

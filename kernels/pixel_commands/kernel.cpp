@@ -70,7 +70,8 @@ Port tile_args() {
   return port;
 }
 // All but a dispatch a tile have lists of commands.
-// A tile's pixels in the order of the lists, and where its groups begin (tile_list.glsl): from the count to the scatter.
+// A tile's pixels in the order of the lists, and where its groups begin (tile_list.glsl): from the count to the
+// scatter.
 Port tile_lists() {
   return listed(writes<uint>("tile_lists", [](const Case& c) { return tiles(c) * kTilePixels; }));
 }
@@ -139,47 +140,46 @@ std::vector<Bound> bounds(bool ordered) {
 
 std::vector<Variant> variants() {
   const Dispatch scan = {"scan.comp", per_shader}, rows = {"rows.comp", once}, scatter = {"scatter.comp", per_tile};
-  return {
-      {.name = "global_atomics",
-       .passes = in_order({{Clear{"table_surfaces", UINT32_MAX}, Clear{"table_pixels"}},
-                           by_copies("global_count", per_pixel),
-                           {Dispatch{"global_sum.comp", per_tile}},
-                           by_copies("global_list", per_pixel),
-                           {scan, rows, scatter}}),
-       .constants = {{"THREADS", {64}}},
-       .note = "a tile\'s surfaces in global memory, two atomics a pixel"},
-      {.name = "tile_local",
-       .passes = in_order({by_copies("count", per_tile), {scan, rows, scatter}}),
-       .constants = {{"THREADS", {64, 256}}, {"ABREAST", {1, 32}}},
-       .note = "in shared memory, an atomic a run of a thread's pixels"},
-      {.name = "subgroup",
-       .passes = in_order({by_copies("count_lanes", per_tile), {scan, rows, scatter}}),
-       .constants = {{"THREADS", {256, 64}}, {"ABREAST", {32}}},
-       .needs = {Feature::subgroup_ballot},
-       .note = "in shared memory, an atomic a subgroup and surface"},
-      {.name = "single_pass",
-       .passes = in_order({{Clear{"chain"}},
-                           by_copies("count_chained", per_tile),
-                           {Dispatch{"scan_chained.comp", per_shader}, rows, scatter}}),
-       .constants = {{"THREADS", {64, 256}}, {"PATIENCE", {4096, 1}}, {"ABREAST", {32}}},
-       .needs = {Feature::forward_progress},
-       .note = "the count adds up the tiles before it as they are counted; a scan where that takes too long"},
-      {.name = "stable",
-       .passes = in_order({by_copies("count_stable", per_tile),
-                           {scan, rows, Dispatch{"commands_stable.comp", per_list},
-                            Dispatch{"scatter_stable.comp", per_tile}}}),
-       .constants = {{"THREADS", {256}}},
-       .bounds = bounds(true),
-       .note = "pixels in scan order, commands in the order of tiles: the same bits every time"},
-      {.name = "dispatch_per_tile",
-       .passes = in_order({by_copies("count", per_tile), {scan, rows, Dispatch{"scatter_tiles.comp", per_tile}}}),
-       .constants = {{"THREADS", {64}}},
-       .bounds = tile_bounds(),
-       .note = "a dispatch a shader, tile and kind in place of lists of commands"},
-      {.name = "sort",
-       .passes = sorting(),
-       .bounds = {{exact("sorted", "integers only, a stable sort")}},
-       .note = "baseline: a radix sort by shader, tile and material, without padding, counts or commands"}};
+  return {{.name = "global_atomics",
+           .passes = in_order({{Clear{"table_surfaces", UINT32_MAX}, Clear{"table_pixels"}},
+                               by_copies("global_count", per_pixel),
+                               {Dispatch{"global_sum.comp", per_tile}},
+                               by_copies("global_list", per_pixel),
+                               {scan, rows, scatter}}),
+           .constants = {{"THREADS", {64}}},
+           .note = "a tile\'s surfaces in global memory, two atomics a pixel"},
+          {.name = "tile_local",
+           .passes = in_order({by_copies("count", per_tile), {scan, rows, scatter}}),
+           .constants = {{"THREADS", {64, 256}}, {"ABREAST", {8, 32}}},
+           .note = "in shared memory, an atomic a run of a thread's pixels"},
+          {.name = "subgroup",
+           .passes = in_order({by_copies("count_lanes", per_tile), {scan, rows, scatter}}),
+           .constants = {{"THREADS", {256, 64}}, {"ABREAST", {32, 8}}},
+           .needs = {Feature::subgroup_ballot},
+           .note = "in shared memory, an atomic a subgroup and surface"},
+          {.name = "single_pass",
+           .passes = in_order({{Clear{"chain"}},
+                               by_copies("count_chained", per_tile),
+                               {Dispatch{"scan_chained.comp", per_shader}, rows, scatter}}),
+           .constants = {{"THREADS", {64, 256}}, {"PATIENCE", {4096, 1}}, {"ABREAST", {32}}},
+           .needs = {Feature::forward_progress},
+           .note = "the count adds up the tiles before it as they are counted; a scan where that takes too long"},
+          {.name = "stable",
+           .passes = in_order(
+               {by_copies("count_stable", per_tile),
+                {scan, rows, Dispatch{"commands_stable.comp", per_list}, Dispatch{"scatter_stable.comp", per_tile}}}),
+           .constants = {{"THREADS", {256}}},
+           .bounds = bounds(true),
+           .note = "pixels in scan order, commands in the order of tiles: the same bits every time"},
+          {.name = "dispatch_per_tile",
+           .passes = in_order({by_copies("count", per_tile), {scan, rows, Dispatch{"scatter_tiles.comp", per_tile}}}),
+           .constants = {{"THREADS", {64}}},
+           .bounds = tile_bounds(),
+           .note = "a dispatch a shader, tile and kind in place of lists of commands"},
+          {.name = "sort",
+           .passes = sorting(),
+           .bounds = {{exact("sorted", "integers only, a stable sort")}},
+           .note = "baseline: a radix sort by shader, tile and material, without padding, counts or commands"}};
 }
 
 Cost cost(const Case& c) {

@@ -20,9 +20,7 @@ shared uint shader_count[kMaxShaders];  // commands
 uint commands_before(uint shader, uint r) {
   uint before = 0u;
   for (uint s = 0u; s < shader; ++s) before += shader_count[s];
-#ifndef MUTANT_43  // the rows of a shader begin where its first does
   for (uint below = 0u; below < r; ++below) before += row_count[shader * kOverflowRow + below];
-#endif
   return before;
 }
 
@@ -39,7 +37,11 @@ void main() {
   }
   barrier();
   if (thread == 0u) status[0] = CommandStatus(listed, padded_waves, overflow_pixels, 0u, 0u, wanted);
+#ifdef MUTANT_43  // a row a thread, and no more
+  for (uint i = thread; i < min(all_rows, kThreads); i += kThreads) {
+#else
   for (uint i = thread; i < all_rows; i += kThreads) {
+#endif
     const uint shader = i / kOverflowRow, r = i % kOverflowRow;
     const uint row = shader * kCommandRows + r;
     args[row] = args_of(row_count[i], r % kCommandBuckets);

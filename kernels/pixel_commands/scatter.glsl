@@ -4,7 +4,7 @@
 
 layout(constant_id = 0) const uint THREADS = 64u;  // at least kStartWords
 layout(local_size_x_id = 0) in;
-layout(constant_id = 2) const uint ABREAST = 1u;  // threads that write a wave side by side
+layout(constant_id = 2) const uint ABREAST = 8u;  // threads that write a wave side by side: 8 fill a sector of 32 bytes
 READS(3, TileCommands, tiles);
 READS(4, ShaderCommands, shaders);
 WRITES(6, uint, entries);
@@ -48,31 +48,30 @@ void place_wave(uint tile, uint wave) {
   const uint first = wave_position(wave), filled = wave_position(wave + 1u) - first;
   const uint key = tile_lists[tile * kTilePixels + first] >> kListKeyShift & (1u << kKeyBits) - 1u;
   const uint shader = shader_of(key);
-  if (first_wave[shader] == kNowhere) {
-#ifdef MUTANT_41  // the pixels of lower shaders leave a hole
-    entry_at[wave] = first_overflow[shader] + first;
-#else
-    entry_at[wave] = first_overflow[shader] + first - pixels_below[shader];
-#endif
-    lanes_at[wave] = first | filled << kFilledShift | (first_overflow[shader] == kNowhere ? 0u : filled) << kWrittenShift;
-    return;
-  }
+  const bool padded = first_wave[shader] != kNowhere;
 #ifdef MUTANT_40  // the waves of lower shaders leave a hole
   const uint to = first_wave[shader] + wave;
 #else
   const uint to = first_wave[shader] + wave - waves_below[shader];
 #endif
-  entry_at[wave] = to << wave_log2();
+#ifdef MUTANT_41  // the pixels of lower shaders leave a hole
+  const uint overflow = first_overflow[shader] + first;
+#else
+  const uint overflow = first_overflow[shader] + first - pixels_below[shader];
+#endif
 #ifdef MUTANT_21  // the last wave of a group is not filled up
-  lanes_at[wave] = first | filled << kFilledShift | filled << kWrittenShift;
+  const uint written = first_overflow[shader] == kNowhere && !padded ? 0u : filled;
 #else
-  lanes_at[wave] = first | filled << kFilledShift | wave_size() << kWrittenShift;
+  const uint written = padded ? wave_size() : first_overflow[shader] == kNowhere ? 0u : filled;
 #endif
+  entry_at[wave] = padded ? to << wave_log2() : overflow;
+  lanes_at[wave] = first | filled << kFilledShift | written << kWrittenShift;
 #ifdef MUTANT_39  // every wave begins a group
-  wave_materials[to] = WaveMaterial(material_of(key), to);
+  const uint begun = to;
 #else
-  wave_materials[to] = WaveMaterial(material_of(key), to - wave_number(wave));
+  const uint begun = to - wave_number(wave);
 #endif
+  if (padded) wave_materials[to] = WaveMaterial(material_of(key), begun);
 }
 
 // Lanes past the end of a group write padding.

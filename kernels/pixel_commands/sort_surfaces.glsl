@@ -2,20 +2,20 @@
 // which every exchange is ascending (its first step of a stage compares mirrored), so that what is past the end need
 // not be filled in. No word is there twice.
 // Loop turns of an invocation: the threads; or 55 steps of 512 exchanges over the threads, 440 at 64 threads.
-void sort_by_counting(uint thread) {
-  const uint word = thread < used ? used_slots[thread] : 0u;
+void sort_by_counting(uint thread, uint n) {
+  const uint word = thread < n ? used_slots[thread] : 0u;
   uint below = 0u;
-  if (thread < used)
-    for (uint j = 0u; j < used; ++j) below += uint(used_slots[j] < word);
+  if (thread < n)
+    for (uint j = 0u; j < n; ++j) below += uint(used_slots[j] < word);
 #ifndef MUTANT_36  // the barrier dropped: words are written over before higher subgroups have counted them
   barrier();
 #endif
-  if (thread < used) used_slots[below] = word;
+  if (thread < n) used_slots[below] = word;
   barrier();
 }
 
-void sort_by_exchanges(uint thread) {
-  const uint size = 2u << findMSB(used - 1u);
+void sort_by_exchanges(uint thread, uint n) {
+  const uint size = 2u << findMSB(n - 1u);
   for (uint stage = 2u; stage <= size; stage *= 2u)
     for (uint reach = stage / 2u; reach > 0u; reach /= 2u) {
       for (uint i = thread; i < size / 2u; i += THREADS) {
@@ -25,7 +25,7 @@ void sort_by_exchanges(uint thread) {
 #else
         const uint high = reach == stage / 2u ? low ^ stage - 1u : low + reach;
 #endif
-        if (high >= used || used_slots[low] < used_slots[high]) continue;
+        if (high >= n || used_slots[low] < used_slots[high]) continue;
         const uint word = used_slots[low];
         used_slots[low] = used_slots[high];
         used_slots[high] = word;
@@ -34,9 +34,9 @@ void sort_by_exchanges(uint thread) {
     }
 }
 
-void sort_surfaces(uint thread) {
-  if (used <= THREADS)  // the whole group
-    sort_by_counting(thread);
+void sort_surfaces(uint thread, uint n) {
+  if (n <= THREADS)  // the whole group
+    sort_by_counting(thread, n);
   else
-    sort_by_exchanges(thread);
+    sort_by_exchanges(thread, n);
 }
