@@ -69,15 +69,15 @@ Port tile_args() {
   port.only_in = {"dispatch_per_tile"};
   return port;
 }
-// All but a dispatch a tile have lists of commands.
 // A tile's pixels in the order of the lists, and where its groups begin (tile_list.glsl): from the count to the
 // scatter.
 Port tile_lists() {
   return listed(writes<uint>("tile_lists", [](const Case& c) { return tiles(c) * kTilePixels; }));
 }
 Port tile_groups() {
-  return listed(writes<uint>("tile_groups", [](const Case& c) { return tiles(c) * (kTilePixels / 32 + 3); }));
+  return listed(writes<uint>("tile_groups", [](const Case& c) { return tiles(c) * kTileWords; }));
 }
+// All but a dispatch a tile have lists of commands.
 Port command_list() {
   Port port = listed(writes<uint>("commands", waves));
   std::erase(port.only_in, "dispatch_per_tile");

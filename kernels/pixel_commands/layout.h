@@ -13,6 +13,7 @@ SHARED_CONST uint kMaxMaterials = 4096u;  // likewise
 SHARED_CONST uint kTilePixels = kTileSide * kTileSide;
 SHARED_CONST uint kSmallestWaveLog2 = 3u;
 SHARED_CONST uint kLargestWaveLog2 = 7u;
+SHARED_CONST uint kTileWords = kTilePixels / 32u + 3u;  // of tile_groups (tile_list.glsl)
 
 struct CommandParams {
   uint width;  // pixels

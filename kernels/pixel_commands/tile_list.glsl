@@ -6,11 +6,11 @@ const uint kListCopyShift = 10u;
 const uint kListKeyShift = 13u;
 const uint kListDivergent = 1u << kKeyBits;  // beside the key
 
-const uint kStartWords = kTilePixels / 32u;  // of bits
-const uint kWordsWithStarts = kStartWords;   // a bit for each of them that is not 0
-const uint kListedWord = kStartWords + 1u;   // pixels of the list
-const uint kUnlistedWord = kStartWords + 2u; // pixels of the tile that are covered and in no list
-const uint kTileWords = kStartWords + 3u;    // of tile_groups, a tile
+// Of tile_groups, kTileWords a tile:
+const uint kStartWords = kTilePixels / 32u;   // of bits
+const uint kWordsWithStarts = kStartWords;    // a bit for each of them that is not 0
+const uint kListedWord = kStartWords + 1u;    // pixels of the list
+const uint kUnlistedWord = kStartWords + 2u;  // pixels of the tile that are covered and in no list
 
 // Where a surface's pixels go: a position in the list in bits 0..9, above it the key and whether the group is divergent.
 const uint kPlaceBits = 10u;  // kTilePixels
