@@ -1,5 +1,5 @@
-// A group a tile: its pixels in the order of the lists (tile_list.glsl), the pixels and waves of each shader in it. Scans
-// and offsets come later.
+// A group a tile: its pixels in the order of the lists (tile_list.glsl), the pixels and waves of each shader in it.
+// Scans and offsets come later.
 #include "kernels/pixel_commands/common.glsl"
 #include "kernels/pixel_commands/pixels.glsl"
 #include "kernels/pixel_commands/slots.glsl"

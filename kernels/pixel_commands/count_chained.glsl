@@ -1,5 +1,5 @@
-// A group a tile: counts and lists as count.glsl does, then adds up the tiles before it while they are still being counted
-// (Merrill, Garland 2016, decoupled look-back), a thread a shader. A tile's state is its own sums until it knows all
+// A group a tile: counts and lists as count.glsl does, and adds up the tiles before it while they are still being
+// counted (Merrill, Garland 2016, decoupled look-back), a thread a shader. A tile's state is its own sums until it knows all
 // before it. Tiles are taken in the order in which groups start, so that those waited for have started.
 // A wait is bounded: a thread that gives up says so, and scan_chained.comp scans as ever.
 // Loop turns of an invocation: as count.glsl, and for each shader of its share the look-back and at most PATIENCE waits.

@@ -1,6 +1,6 @@
 // How many commands a row has: the binary digits of the tiles' waves, what is above the last bucket counted in it.
 #ifndef ADD_DIGIT  // the includer may count elsewhere
-const uint kDigitColumns = 32u;  // neighbouring threads count in columns of their own, for one word takes an atomic a turn
+const uint kDigitColumns = 32u;  // neighbouring threads have a column each, for one word takes an atomic a turn
 shared uint digits[kOverflowRow * kDigitColumns];
 #define ADD_DIGIT(shader, row, n) \
   atomicAdd(digits[(row) * kDigitColumns + (gl_LocalInvocationID.x & kDigitColumns - 1u)], n)

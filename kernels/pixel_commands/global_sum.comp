@@ -1,6 +1,6 @@
 #version 460
-// A group a tile: groups the surfaces of its table in global memory, as count.glsl does, and puts into the table where the
-// pixels of each stand.
+// A group a tile: groups the surfaces of its table in global memory, as count.glsl does, and puts into the table where
+// the pixels of each stand.
 #include "kernels/pixel_commands/common.glsl"
 #include "kernels/pixel_commands/slots.glsl"
 #include "kernels/pixel_commands/table.glsl"

@@ -47,10 +47,11 @@ struct Surface {  // the i-th, sorted
 };
 Surface surface(uint i, uint n) {
   const uint word = used_slots[i], key = word >> kSlotBits;
-  const uint key_below = used_slots[max(i, 1u) - 1u] >> kSlotBits, key_above = used_slots[min(i + 1u, n - 1u)] >> kSlotBits;
+  const uint key_below = used_slots[max(i, 1u) - 1u] >> kSlotBits;
+  const uint key_above = used_slots[min(i + 1u, n - 1u)] >> kSlotBits;
   const bool first = i == 0u, last = i + 1u == n, last_listed = last || key_above == kUnlisted;
-  return Surface(word & (1u << kSlotBits) - 1u, key, shader_of(key), first || key_below != key, last || key_above != key,
-                 first || shader_of(key_below) != shader_of(key),
+  return Surface(word & (1u << kSlotBits) - 1u, key, shader_of(key), first || key_below != key,
+                 last || key_above != key, first || shader_of(key_below) != shader_of(key),
                  last_listed || shader_of(key_above) != shader_of(key), last_listed);
 }
 #ifdef MUTANT_10  // several surfaces pass for one
@@ -109,7 +110,8 @@ void place_surface(Surface s, uint before, uint end) {
   }
   const bool alone = is_uniform(s);
 #ifdef MUTANT_18  // divergent groups over the uniform ones
-  const uint at = divergent_pixels(shader_first[s.shader]) + (alone ? uniform_pixels(before) : divergent_pixels(before));
+  const uint at =
+      divergent_pixels(shader_first[s.shader]) + (alone ? uniform_pixels(before) : divergent_pixels(before));
 #else
   const uint at = alone ? divergent_pixels(shader_first[s.shader]) + uniform_pixels(before)
                         : uniform_pixels(shader_end[s.shader]) + divergent_pixels(before);
@@ -144,7 +146,7 @@ void group_surfaces() {
     bound_surface(s, before, before + part);
     before += part;
   }
-#ifndef MUTANT_33  // the barrier dropped: uniform pixels of a shader whose last surface a higher subgroup has yet to see
+#ifndef MUTANT_33  // the barrier dropped: uniform pixels of a shader that higher subgroups have yet to sum
   barrier();
 #endif
   before = first;

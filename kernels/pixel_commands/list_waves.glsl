@@ -2,9 +2,9 @@
 // of positions.
 // Loop turns of an invocation: 3 and 32 for the waves of a word, and the 8 words of counts.
 const uint kWaveNumberShift = 11u;      // kTilePixels itself is a position, behind the last wave
-shared uint wave_at[kTilePixels + 1u];  // position of a wave's first pixel in bits 0..10, above it its number in the group
-shared uint waves_in[kStartWords / 4u]; // that begin in a word of positions, 8 bits for each
-shared uint waves;                      // of the tile
+shared uint wave_at[kTilePixels + 1u];   // position of a wave's first pixel in bits 0..10, above it its number
+shared uint waves_in[kStartWords / 4u];  // that begin in a word of positions, 8 bits for each
+shared uint waves;                       // of the tile
 uint wave_position(uint wave) { return wave_at[wave] & bits_below(kWaveNumberShift); }
 uint wave_number(uint wave) { return wave_at[wave] >> kWaveNumberShift; }
 

@@ -41,7 +41,7 @@ uint entry_of_word(uint word, uvec2 corner) {
 
 // Of each wave: its first entry; what its lanes write.
 shared uint entry_at[kTilePixels];
-shared uint lanes_at[kTilePixels];  // position of the first in bits 0..10, lanes with a pixel in 11..18, that write above
+shared uint lanes_at[kTilePixels];  // position of the first in bits 0..10, lanes with a pixel in 11..18, those that write
 const uint kFilledShift = 11u, kWrittenShift = 19u;
 
 void place_wave(uint tile, uint wave) {

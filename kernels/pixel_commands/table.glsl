@@ -10,7 +10,7 @@ const uint kSlotBits = 10u;  // kTilePixels slots
 const uint kFree = 0xffffffffu;
 
 shared uint surface_at[kTilePixels];  // a slot
-shared uint pixels_at[kTilePixels];   // a slot; after group_surfaces() where they stand in the tile's list (groups.glsl)
+shared uint pixels_at[kTilePixels];   // a slot; after group_surfaces() their place (tile_list.glsl)
 shared uint used_slots[kTilePixels];  // the first `used` of them, in no order; group_surfaces() sorts them by key
 shared uint used;
 
