@@ -168,7 +168,11 @@ Result render(device::Device& d, const scene::Scene& scene, const scene::Camera&
   const auto commands = record(d, p.graph, allocated);
   require_no_hazards(commands);
   step("warming up");
-  if (options.warm_up) device::run(d, commands);
+  if (options.warm_up) {
+    double busy_ns = 0;
+    do busy_ns += device::run(d, commands).wall_ns;
+    while (busy_ns < device::warm_up_ns(device::info(d)));
+  }
   step("drawing");
   const device::Timing timing = device::run(d, commands);
   step("reading back");

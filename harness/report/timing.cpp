@@ -11,9 +11,6 @@ namespace {
 constexpr double kLeastSampleNs = 200e3;
 constexpr double kLeastTicks = 100;
 constexpr uint32_t kMostRepeats = 4096;
-// A GPU that waited for the oracle has lowered its clocks (an H100 from 1980 to 345 MHz), and is busy for up to half of
-// this before it raises them again.
-constexpr double kGpuWarmUpNs = 1e9;
 constexpr uint64_t kMostSets = 160;
 constexpr uint64_t kMostMemory = uint64_t{1} << 30;
 // An H200's second level holds 60 MB; a round over twice that leaves nothing of the last one. A CPU's third level is
@@ -69,7 +66,7 @@ uint32_t calibrate(device::Device& d, Loop& loop) {
 
 // Fills caches, raises clocks.
 void warm_up(device::Device& d, Loop& loop) {
-  const double least_ns = device::info(d).type == "cpu" ? 0 : kGpuWarmUpNs;
+  const double least_ns = device::warm_up_ns(device::info(d));
   double total_ns = 0;
   for (size_t i = 0; i < std::min<size_t>(loop.sets.size(), 3) || total_ns < least_ns; ++i)
     total_ns += sample(d, loop, Cache::cold).wall_ns;

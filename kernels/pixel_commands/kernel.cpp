@@ -154,7 +154,7 @@ std::vector<Variant> variants() {
            .note = "in shared memory, an atomic a run of a thread's pixels"},
           {.name = "subgroup",
            .passes = in_order({by_copies("count_lanes", per_tile), {scan, rows, scatter}}),
-           .constants = {{"THREADS", {256, 64}}, {"ABREAST", {32, 8}}},
+           .constants = {{"THREADS", {256, 64}}, {"ABREAST", {8, 32}}},
            .needs = {Feature::subgroup_ballot},
            .note = "in shared memory, an atomic a subgroup and surface"},
           {.name = "single_pass",
