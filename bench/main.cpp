@@ -41,6 +41,7 @@ void time_entry(benchmark::State& state, Context& context, const report::Entry& 
   if (!verified.refused.empty()) return state.SkipWithError(verified.refused.c_str());
   report::Loop loop =
       report::make_loop(d, {.kernel = e.kernel, .variant = e.variant, .constants = e.constants}, prepared.input);
+  report::warm_up(d, loop);
   double cpu_ns = 0, executions = 0;
   while (state.KeepRunningBatch(loop.repeats)) {
     const report::Sample s = report::sample(d, loop, report::Cache::cold);

@@ -28,6 +28,7 @@ double distance_from_limit(const check::BoundResult& b) {
 
 void time_row(device::Device& d, Run& run, Row& row, const Case& c, uint32_t count) {
   Loop loop = make_loop(d, plan_of(row.entry), c);
+  warm_up(d, loop);
   row.dispatches = loop.dispatches;
   row.sets = static_cast<uint32_t>(loop.sets.size());
   row.rotated_bytes = loop.rotated_bytes;

@@ -64,14 +64,6 @@ uint32_t calibrate(device::Device& d, Loop& loop) {
   return loop.repeats;
 }
 
-// Fills caches, raises clocks.
-void warm_up(device::Device& d, Loop& loop) {
-  const double least_ns = device::warm_up_ns(device::info(d));
-  double total_ns = 0;
-  for (size_t i = 0; i < std::min<size_t>(loop.sets.size(), 3) || total_ns < least_ns; ++i)
-    total_ns += sample(d, loop, Cache::cold).wall_ns;
-}
-
 }  // namespace
 
 Loop make_loop(device::Device& d, const device::Plan& plan, const Case& c) {
@@ -86,10 +78,16 @@ Loop make_loop(device::Device& d, const device::Plan& plan, const Case& c) {
   loop.dispatches = static_cast<uint32_t>(std::ranges::count_if(loop.sets.front(), is_work));
   loop.rotated_bytes = touched * sets;
   loop.cold_enough = loop.rotated_bytes > span;
-  calibrate(d, loop);
-  warm_up(d, loop);
+  for (uint64_t i = 0; i < std::min<uint64_t>(sets, 3); ++i) sample(d, loop, Cache::cold);  // compiles, fills caches
   calibrate(d, loop);
   return loop;
+}
+
+void warm_up(device::Device& d, Loop& loop) {
+  const double least_ns = device::warm_up_ns(device::info(d));
+  if (least_ns == 0) return;
+  for (double busy_ns = 0; busy_ns < least_ns;) busy_ns += sample(d, loop, Cache::cold).wall_ns;
+  calibrate(d, loop);
 }
 
 Sample sample(device::Device& d, Loop& loop, Cache cache) {

@@ -28,9 +28,11 @@ struct Loop {
   size_t next = 0;                                 // where the rotation stands
 };
 
-// Makes the resources, warms up, and finds how many executions last 200 us or 100 ticks, whichever is longer.
+// Makes the resources, and finds how many executions last 200 us or 100 ticks, whichever is longer.
 // Only enough sets to exceed the cache, 160 at most, and within 1 GiB.
 Loop make_loop(device::Device&, const device::Plan&, const Case&);
+// Keeps a GPU busy until it has raised its clocks: whoever let it wait, for an oracle or at the start, calls this.
+void warm_up(device::Device&, Loop&);
 Sample sample(device::Device&, Loop&, Cache);
 std::vector<Sample> samples(device::Device&, Loop&, Cache, uint32_t count);
 
