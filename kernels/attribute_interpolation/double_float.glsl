@@ -1,8 +1,6 @@
 // As the compensated formula; where that is ill-conditioned, in pairs of floats (Joldes, Muller, Popescu 2017). Such
 // triangles are rare, and a wave without one does not pay.
-#include "harness/glsl/interpolation/products.glsl"
-#include "harness/glsl/interpolation/rescale.glsl"
-#include "harness/glsl/interpolation/weigh.glsl"
+#include "harness/glsl/interpolation/compensated.glsl"
 
 struct Pair {
   float high, low;
@@ -71,14 +69,8 @@ Interpolated in_pairs(bool fused, Triangle t) {
 Interpolated interpolate(Triangle t) {
   if (!rescale(t)) return degenerate();
   const bool fused = multiply_add_is_fused();
-  vec3 x, y;
-  for (uint k = 0u; k < 3u; ++k) {
-    x[k] = difference_of_products(fused, t.half_extent.x, t.corners[k].x, t.offset.x, t.corners[k].z);
-    y[k] = difference_of_products(fused, t.half_extent.y, t.corners[k].y, t.offset.y, t.corners[k].z);
-  }
-  const vec3 areas = vec3(difference_of_products(fused, x[1], y[2], x[2], y[1]),
-                          difference_of_products(fused, x[2], y[0], x[0], y[2]),
-                          difference_of_products(fused, x[0], y[1], x[1], y[0]));
+  vec3 x, y, areas;
+  recentre(fused, t, x, y, areas);
   const float area = areas.x + areas.y + areas.z;
   const float magnitudes = dot(abs(x), abs(y.yzx) + abs(y.zxy));
 #ifdef MUTANT_18
@@ -86,5 +78,5 @@ Interpolated interpolate(Triangle t) {
 #else
   if (!(magnitudes <= kWellConditioned * abs(area))) return in_pairs(fused, t);
 #endif
-  return weigh(t, areas, area, vec4(y[2] - y[0], y[0] - y[1], x[0] - x[2], x[1] - x[0]));
+  return weigh_recentred(t, x, y, areas, area);
 }
