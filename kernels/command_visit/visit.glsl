@@ -28,7 +28,11 @@ void main() {
   uvec2 pixel;
   uint copy_bits;
   if (!commanded_pixel(pixel, copy_bits)) return;
+#ifdef MUTANT_4  // the last row is left out
+  if (pixel.x >= params.width || pixel.y + 1u >= params.height) return;
+#else
   if (pixel.x >= params.width || pixel.y >= params.height) return;
+#endif
   const uint at = pixel.y * params.width + pixel.x;
   uint surface = surfaces[at];
   if (!to_run(surface)) return;
@@ -37,7 +41,14 @@ void main() {
 #else
   if (is_uniform()) surface = equal_in_wave(surface);
 #endif
+#ifdef MUTANT_5  // every visit is the first slot's
+  atomicAdd(visits[at], 1u);
+#else
   atomicAdd(visits[at], 1u << 8u * SLOT);
+#endif
   const uint promises = uint(one_surface_a_wave()) << 24u | uint(one_material_a_wave()) << 25u | (surface & 15u) << 26u;
+#ifdef MUTANT_6  // copy bits are dropped
+  copy_bits = 0u;
+#endif
   atomicMax(visitors[at], kVisited | row | copy_bits << 8u | SLOT << 16u | promises);
 }
