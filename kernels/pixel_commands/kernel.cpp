@@ -185,6 +185,7 @@ std::vector<Variant> variants() {
 Cost cost(const Case& c) {
   return {.bytes_read = pixels(c) * sizeof(uvec2) + surfaces(c) * sizeof(SurfaceSlot) + (has_copies(c) ? pixels(c) : 0),
           .bytes_written = entries(c) * sizeof(uint) + waves(c) * (sizeof(uint) + sizeof(WaveMaterial)) +
+                           tiles(c) * (kTilePixels + kTileWords) * sizeof(uint) +
                            tile_shaders(c) * sizeof(TileCommands) + shaders(c) * sizeof(ShaderCommands) +
                            rows(c) * (sizeof(CommandRow) + sizeof(DispatchArgs)) + sizeof(CommandStatus),
           .operations = pixels(c) * 4};  // mask, compare with the neighbour, pack, add the place
