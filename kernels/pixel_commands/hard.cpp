@@ -300,7 +300,7 @@ std::vector<HardCase> sizes() {
        [] {
          return to_case(drawn(of_materials({33, 65}, 12, 5), [](uint32_t x, uint32_t y) { return (x + y * 33) % 12; }));
        }},
-      {"tiles_1536", "more tiles than the scan has threads, one pixel in each",
+      {"tiles_1536", "more tiles than a block of the scan, one pixel in each",
        [] {
          return to_case(drawn(of_materials({16384, 65}, 3, 2), [](uint32_t x, uint32_t y) {
            return x % 32 == 31 && (y % 32 == 31 || y == 64) ? (x / 32 + y) % 3 : kNothing;
@@ -346,6 +346,7 @@ std::vector<Mutant> mutants() {
       {"groups.glsl", 11, "the barrier before the keys is dropped", "high_lanes"},
       {"groups.glsl", 12, "waves are rounded down", "wave_boundaries"},
       {"scan.comp", 13, "the barrier of the scan is dropped", "tiles_1536"},
+      {"scan.glsl", 44, "each block of the scan begins at nothing", "tiles_1536"},
       {"scan.glsl", 14, "divergent waves do not count", "two_surfaces"},
       {"room.glsl", 15, "groups of small commands are rounded down", "odd_commands"},
       {"room.glsl", 16, "a tile's own padding is not looked at", "half_padded"},
