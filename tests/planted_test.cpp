@@ -194,16 +194,35 @@ TEST_F(Planted, AnUndecidedOracleIsAComplaint) {
       checked(kernel, 0).complaints,
       std::vector<std::string>{"1 of 4096 elements of the typical input are undecided, 0.000244; the limit is 0"});
   kernel.typical = {};
-  EXPECT_TRUE(check::passed({checked(kernel, 199)})) << "so few trials are not judged";
-  const check::KernelResult judged = checked(kernel, 200);
+  EXPECT_TRUE(check::passed({checked(kernel, 29)})) << "so few trials are not judged";
+  const check::KernelResult judged = checked(kernel, 30);
   ASSERT_EQ(judged.complaints.size(), 1u) << complaints_of({judged});
-  EXPECT_TRUE(judged.complaints[0].starts_with("200 of ")) << judged.complaints[0];
+  EXPECT_TRUE(judged.complaints[0].starts_with("30 of ")) << judged.complaints[0];
   const check::KernelResult lenient = checked(undecided_kernel(1), 200);
   EXPECT_TRUE(check::passed({lenient})) << complaints_of({lenient});
   EXPECT_EQ(lenient.variants.at(0).undecided, 203u);  // one a case and trial
   EXPECT_EQ(lenient.variants.at(0).hard_undecided, 2u);
   options_.variant = "correct";
   EXPECT_TRUE(check::passed({checked(undecided_kernel(0), 200)})) << "the limit is of all variants together";
+}
+
+// A few trials with all that is undecided say little of the share; many do.
+TEST_F(Planted, TheUndecidedShareIsJudgedByItsStandardError) {
+  Kernel kernel = undecided_kernel(0);
+  kernel.typical = {};
+  kernel.oracle = [every = kernel.oracle](const Case& c) {
+    Answer answer = every(c);
+    if (c.input<uint32_t>("values").size() % 16 != 3) answer.at("list").high = answer.at("list").low;
+    return answer;
+  };
+  const auto checked = [&](uint32_t trials) {
+    options_.trials = trials;
+    return check::check_kernel(device(), device_options(), options_, kernel);
+  };
+  const check::KernelResult few = checked(60), many = checked(1000);
+  EXPECT_GT(few.variants.at(0).undecided - few.variants.at(0).hard_undecided, 0u);
+  EXPECT_TRUE(check::passed({few})) << complaints_of({few});
+  EXPECT_EQ(many.complaints.size(), 1u) << complaints_of({many});
 }
 
 TEST_F(Planted, TheTypicalInputIsACaseOfItsOwn) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <future>
 
 #include "harness/check/kernel_run.h"
@@ -60,6 +61,7 @@ void run_trials(KernelRun& run, uint64_t first_seed, uint64_t trials, uint64_t d
     const PreparedTrial now = next.get();
     if (t + 1 < trials) next = begin(t + 1);
     note(coverage, now.trial);
+    run.of_trials.emplace_back();
     run_everywhere(run, now.prepared, fmt::format("--seed {}", first_seed + t), Kind::trial);
   }
   for (std::string& complaint : complaints(coverage, run.kernel.inputs.branches))
@@ -67,15 +69,30 @@ void run_trials(KernelRun& run, uint64_t first_seed, uint64_t trials, uint64_t d
   run.result.branches = std::move(coverage.branches);
 }
 
-// Of few trials, one hard case more or less would decide; the typical input is judged always.
-constexpr uint64_t kTellingTrials = 200;
+// An error estimated from fewer is none; the typical input is judged always.
+constexpr size_t kTellingTrials = 30;
 
-void judge_undecided(KernelRun& run, const Share& share, const char* of) {
-  if (share.judged == 0) return;
-  const double part = static_cast<double>(share.undecided) / static_cast<double>(share.judged);
-  if (part <= run.kernel.undecided_limit) return;
+// Parts that few trials make up (two surfaces in one plane) come in lumps: the limit is broken where the trials show it
+// at three standard errors of the ratio, a trial being one observation.
+double standard_error(const std::vector<Share>& shares, const Share& sum) {
+  const double judged = static_cast<double>(sum.judged), part = static_cast<double>(sum.undecided) / judged;
+  double squares = 0;
+  for (const Share& s : shares) {
+    const double rest = static_cast<double>(s.undecided) - part * static_cast<double>(s.judged);
+    squares += rest * rest;
+  }
+  return std::sqrt(squares) / judged;
+}
+
+void judge_undecided(KernelRun& run, const std::vector<Share>& shares, const char* of) {
+  Share sum;
+  for (const Share& s : shares) sum = {sum.judged + s.judged, sum.undecided + s.undecided};
+  if (sum.judged == 0) return;
+  const double part = static_cast<double>(sum.undecided) / static_cast<double>(sum.judged);
+  const double error = shares.size() > 1 ? standard_error(shares, sum) : 0;
+  if (part - 3 * error <= run.kernel.undecided_limit) return;
   run.result.complaints.push_back(fmt::format(
-      "{} of {} elements of {} are undecided, {:.3g}; the limit is {:g}{}{}", share.undecided, share.judged, of, part,
+      "{} of {} elements of {} are undecided, {:.3g}; the limit is {:g}{}{}", sum.undecided, sum.judged, of, part,
       run.kernel.undecided_limit, run.kernel.undecided_reason.empty() ? "" : ": ", run.kernel.undecided_reason));
 }
 
@@ -110,8 +127,8 @@ void judge_default(KernelRun& run) {
 
 void finish(KernelRun& run) {
   if (run.options.variant.empty()) {  // the limit is of all variants together
-    judge_undecided(run, run.of_typical, "the typical input");
-    if (run.options.trials >= kTellingTrials) judge_undecided(run, run.of_trials, "random trials");
+    judge_undecided(run, {run.of_typical}, "the typical input");
+    if (run.of_trials.size() >= kTellingTrials) judge_undecided(run, run.of_trials, "random trials");
   }
   judge_default(run);
   const auto ran = [](const VariantState& s) { return s.result.skipped.empty(); };

@@ -53,7 +53,7 @@ void tally(KernelRun& run, VariantState& state, const Outcome& outcome, Kind kin
     state.result.nans += v.nans;
     if (kind == Kind::hard) state.result.hard_undecided += v.undecided;
     if (kind == Kind::hard || bounds[i].judge != Judge::between) continue;
-    Share& share = kind == Kind::typical ? run.of_typical : run.of_trials;
+    Share& share = kind == Kind::typical ? run.of_typical : run.of_trials.back();
     share.judged += v.judged;
     share.undecided += v.undecided;
   }

@@ -29,7 +29,8 @@ struct KernelRun {
   const Kernel& kernel;
   KernelResult result;
   std::vector<VariantState> variants;
-  Share of_typical, of_trials;  // over the variants
+  Share of_typical;              // over the variants
+  std::vector<Share> of_trials;  // likewise, one a trial
 };
 
 // Of `of` equal parts of the work, the progress of part `part`, from 0.
