@@ -86,8 +86,8 @@ const Kernel& kernel_named(const std::string& name) {
   const auto& all = all_kernels();
   const auto it = std::ranges::find(all, name, &Kernel::name);
   if (it != all.end()) return *it;
-  std::vector<std::string> there;
-  for (const Kernel& k : all) there.push_back(k.name);
+  std::vector<std::string> there(all.size());
+  std::ranges::transform(all, there.begin(), &Kernel::name);
   throw std::invalid_argument("no kernel '" + name + "'" + did_you_mean(name, there));
 }
 

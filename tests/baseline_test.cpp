@@ -25,7 +25,7 @@ Kernel with_baselines(const std::vector<std::string>& names) {
 check::KernelResult checked(const Kernel& kernel) {
   check::Options options{.trials = 0, .fixtures = ""};
   options.failures = std::filesystem::temp_directory_path() / "assay-baseline";
-  const check::KernelResult result = check::check_kernel(device(), device_options(), options, kernel);
+  check::KernelResult result = check::check_kernel(device(), device_options(), options, kernel);
   std::filesystem::remove_all(options.failures);
   return result;
 }

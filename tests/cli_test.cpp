@@ -127,7 +127,7 @@ TEST(Cli, WrongFlagsAndNamesAreOneLine) {
 TEST(Cli, AbsentDeviceIsOneLine) {
   for (const std::string device : {"999", "no_such_gpu", "ffffffffffffffffffffffffffffffff"})
     for (const std::string command : {"check --trials 1", "bench", "frame", "mutate"})
-      expect_one_line(command + " --device " + device, device);
+      expect_one_line(fmt::format("{} --device {}", command, device), device);
 }
 
 TEST(Cli, MissingAndBrokenFilesAreOneLine) {

@@ -244,7 +244,7 @@ TEST(Gather, MaterialRecordsAreWhole) {
     EXPECT_NE(name, kNoTexture);
     const Texture& t = g.textures[name >> 16];
     EXPECT_EQ(t.format, format);
-    return static_cast<int>(t.bytes[(name & 0xffffu) * 64]);
+    return static_cast<int>(t.bytes[size_t{name & 0xffffu} * 64]);
   };
   const MaterialRecord& m = g.materials[0];
   EXPECT_EQ(m.base_colour, vec4(0.1f, 0.2f, 0.3f, 0.4f));

@@ -35,7 +35,7 @@ std::string complaint(const std::string& text) {
     with(text);
     return "";
   } catch (const std::runtime_error& e) {
-    const std::string what = e.what();
+    std::string what = e.what();
     EXPECT_EQ(what.find('\n'), std::string::npos) << what;
     EXPECT_EQ(what.rfind(temporary("some.json").string() + ": ", 0), 0u) << "names no file: " << what;
     return what;

@@ -47,7 +47,7 @@ TEST(Trials, FewTrialsProveNothingButUndeclaredBranchesDo) {
 
 TEST(Trials, SizesAreNoted) {
   Coverage c;
-  check::note(c, {.input = {.extent = {129, 129}}, .items = 129 * 129, .taken = {"odd"}});
+  check::note(c, {.input = {.extent = {129, 129}}, .items = uint64_t{129} * 129, .taken = {"odd"}});
   check::note(c, {.input = {.extent = {1000, 128}}, .items = 128000, .taken = {"odd"}});
   EXPECT_EQ(c.trials, 2u);
   EXPECT_EQ(c.wide, 1u);

@@ -30,20 +30,23 @@ void add_points(Scene& s, uint32_t bay) {
                         .intensity = 30,
                         .range = 9});
   }
-  for (uint32_t i = 0; i < kCandlesABay; ++i)  // two rows along the nave and the walls
+  for (uint32_t i = 0; i < kCandlesABay; ++i) {  // two rows along the nave and the walls
+    const uint32_t pair = i / 2;
     s.lights.push_back({.kind = LightKind::point,
                         .position = {(i % 2 ? 1 : -1) * (i % 4 < 2 ? 1.3 : 9.3), 0.35 + 0.05 * (i % 3),
-                                     z + kBayLength_m * (i / 2 / 10.0 - 0.45)},
+                                     z + kBayLength_m * (pair / 10.0 - 0.45)},
                         .colour = hue(0.07 * i + 0.2 * bay),
                         .intensity = 1.5f,
                         .range = 2.5f});
+  }
 }
 
 // From under the vault: onto the capitals, the banners and the floor.
 void add_spots(Scene& s, uint32_t bay) {
   for (uint32_t i = 0; i < kSpotsABay; ++i) {
-    const double sign = i % 2 ? 1 : -1, across = 1.5 + 1.3 * (i / 2);
-    const glm::dvec3 from(sign * across, 8.6, middle(bay) + 3 - i / 2),
+    const uint32_t pair = i / 2;
+    const double sign = i % 2 ? 1 : -1, across = 1.5 + 1.3 * pair;
+    const glm::dvec3 from(sign * across, 8.6, middle(bay) + 3 - pair),
         to(sign * (across + 0.8), 0, middle(bay) - 2 + 0.7 * i / 2.0);
     s.lights.push_back({.kind = LightKind::spot,
                         .position = from,

@@ -168,7 +168,8 @@ Case equator() {
   scene.add_surface(s);
   for (uint32_t y = 0; y < 16; ++y)
     for (uint32_t x = 0; x < 24; ++x) {
-      const double phi = (y / 4) * 1.5707963267948966 + (y % 4 == 0   ? 0
+      const uint32_t quarter = y / 4;
+      const double phi = quarter * 1.5707963267948966 + (y % 4 == 0   ? 0
                                                          : y % 4 == 1 ? 1e-3
                                                          : y % 4 == 2 ? -1e-3
                                                                       : 0.785);

@@ -36,7 +36,7 @@ void verify(const ClipSample& s, const std::vector<double>& numbers) {
   if (!h.determined) throw std::logic_error("a vector's weights are not determined, even in pairs of floats");
   for (int k = 0; k < 7; ++k) {
     const double got = k < 3 ? h.weights[k].value : h.derivatives[k - 3].value,
-                 want = numbers[static_cast<size_t>(first_answer + k)];
+                 want = numbers[static_cast<size_t>(first_answer) + static_cast<size_t>(k)];
     if (!(std::fabs(got - want) <= 1e-14 * std::max(1.0, std::fabs(want))))
       throw std::logic_error(fmt::format("the oracle says {}, a vector {}", got, want));
   }

@@ -16,7 +16,7 @@ struct Lists {
   uint shaders = 1;
   std::vector<uint> entries = {};
   std::vector<uint> surfaces = {};  // a pixel
-  std::array<std::vector<uint>, kVisitors* kCommandRows> rows = {};
+  std::array<std::vector<uint>, size_t{kVisitors}* kCommandRows> rows = {};
   std::array<CommandRow, kVisitors> overflow = {};
 };
 
@@ -42,7 +42,8 @@ void command(Lists& l, uint slot, uint kind, uint first, uint waves, uint larges
 
 DispatchArgs args_of(uint64_t commands, uint k) {
   const uint x = std::max(1u, (1u << k) / kWavesPerGroup);
-  const Groups spread = spread_groups((commands * (1u << k) + uint64_t{x} * kWavesPerGroup - 1) / (x * kWavesPerGroup));
+  const Groups spread =
+      spread_groups((commands * (1u << k) + uint64_t{x} * kWavesPerGroup - 1) / (uint64_t{x} * kWavesPerGroup));
   return {x, spread.x, commands ? spread.y : 0};
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 uint64_t waves(const Case& c) { return c.params<VisitParams>().waves; }
 uint64_t entries(const Case& c) { return waves(c) * kWaveSize; }
-uint64_t rows(const Case&) { return kVisitors * kCommandRows; }
+uint64_t rows(const Case&) { return uint64_t{kVisitors} * kCommandRows; }
 
 // A dispatch a row of the slot, none where the slot has no shader.
 Dispatch over_slot(const std::string& shader, uint slot) {

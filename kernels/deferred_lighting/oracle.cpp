@@ -31,7 +31,8 @@ uint32_t byte_of(uint32_t word, uint32_t i) { return word >> 8 * i & 255u; }
 
 // corner + across x + down y: three roundings of each term.
 Ball ray_of(const LightingParams& p, uint64_t pixel) {
-  const double x = static_cast<double>(pixel % p.width) + 0.5, y = static_cast<double>(pixel / p.width) + 0.5;
+  const uint64_t column = pixel % p.width, row = pixel / p.width;
+  const double x = static_cast<double>(column) + 0.5, y = static_cast<double>(row) + 0.5;
   const dvec3 corner(p.rays.corner), across = dvec3(p.rays.across) * x, down = dvec3(p.rays.down) * y;
   return {corner + across + down, 3 * u * glm::length(glm::abs(corner) + glm::abs(across) + glm::abs(down))};
 }

@@ -126,7 +126,8 @@ uint32_t Builder::add_sheet(const Rectangle& r, uint32_t material, const std::ar
   for (const uint i : clockwise ? std::array{0u, 1u, 2u, 3u, 2u, 1u} : std::array{0u, 2u, 1u, 3u, 1u, 2u})
     indices.push_back(i);
   for (uint k = 0; k < 4; ++k) {
-    const double w = shape.depths[k], x = r.x + (k % 2) * r.width, y = r.y + (k / 2) * r.height;
+    const uint right = k % 2, below = k / 2;
+    const double w = shape.depths[k], x = r.x + right * r.width, y = r.y + below * r.height;
     const glm::dvec3 clip = w * glm::dvec3(2 * x / extent.width - 1, 2 * y / extent.height - 1, 1);
     positions.push_back(vec3(clip - kMoved));
     vertices.push_back({vec3(stretched * corner_normal(frame, shape, k)),

@@ -161,7 +161,7 @@ Case random_case(Random& r) {
       s.params.reserved = UINT32_MAX - r.rng.below(5000);
   }
   Case c = to_case(s);
-  if (s.params.reserved > 5000) return with_capacity(c, pixels(c) + live_shaders(c) * wave_size(c));
+  if (s.params.reserved > 5000) return with_capacity(c, pixels(c) + uint64_t{live_shaders(c)} * wave_size(c));
   return random_capacity(r, c);
 }
 

@@ -24,7 +24,7 @@ std::vector<Pass> passes(Dispatch sum, const char* finish, const char* tone) {
 // Each byte once, though a metered picture has to be read again: its exposure is not known before.
 Cost cost(const Case& c) {
   const uint64_t sums = is_metered(c) ? tile_count(c.extent, kBlockPixels) * sizeof(PartialSum) : 0;
-  return {.bytes_read = pixels(c) * 8 + kCodes * 4,
+  return {.bytes_read = pixels(c) * 8 + uint64_t{kCodes} * 4,
           .bytes_written = pixels(c) * 4 + sums + sizeof(ExposureRecord),
           .operations = pixels(c) * (is_metered(c) ? 40 : 30)};
 }

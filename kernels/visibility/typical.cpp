@@ -76,11 +76,10 @@ Case typical(Extent e) {
   Look leaves;
   leaves.material = {vec4(1), texture_name(add_leaf(scene), 0), 0.5f, kMaterialMasked | kMaterialDoubleSided, 0};
   leaves.instanced = true;
-  std::vector<glm::dmat4> trees;
-  for (int i = 0; i < 12; ++i)
-    trees.push_back(
-        glm::scale(glm::translate(glm::dmat4(1), glm::dvec3(rng.range(-12, 12), rng.range(0, 2), -rng.range(4, 25))),
-                   glm::dvec3(2)));
+  std::vector<glm::dmat4> trees(12);
+  for (glm::dmat4& tree : trees)
+    tree = glm::scale(glm::translate(glm::dmat4(1), glm::dvec3(rng.range(-12, 12), rng.range(0, 2), -rng.range(4, 25))),
+                      glm::dvec3(2));
   scene.add(cards(200, rng), leaves, trees);
   return scene.finish("typical");
 }
