@@ -124,8 +124,7 @@ struct Port {
   std::optional<Format> view = {};                 // a second format of equal size that shaders see instead of `format`
   std::function<Extent(const Case&)> extent = {};  // of an image; the case's where empty
   std::vector<std::string> producers = {};
-  // Variants that have the port; empty: all. To the others it does not exist: not allocated for their sake, not bound,
-  // not judged, not counted in their bytes.
+  // Variants that have the port; empty: all. To the others it does not exist: neither bound nor judged nor counted.
   std::vector<std::string> only_in = {};
 };
 
@@ -179,11 +178,8 @@ struct Dispatch {
   Count repeat = {};
 };
 
-enum class Cull {
-  none,
-  back,
-  front
-};  // counter-clockwise in framebuffer coordinates of glTF's right-handed world faces front
+// Counter-clockwise in framebuffer coordinates of glTF's right-handed world faces front.
+enum class Cull { none, back, front };
 enum class Compare { always, less, greater, greater_equal, equal };
 enum class Blend { none, over, add };
 
@@ -224,7 +220,7 @@ using Pass = std::variant<Dispatch, Draw, Clear>;
 
 // ---- Bounds ----
 
-enum class Judge { exact, ulps, within, same_set, between };
+enum class Judge { exact, ulps, within, same_set, between, bits };
 
 // A packed element as fields of a word each, for bounds that speak of them singly. `apply` takes the payload of the
 // bound's only port; comparison and the oracle's answer are of what it returns, as many elements as before.
@@ -258,11 +254,16 @@ inline Bound between(std::vector<std::string> ports, std::string reason) {
   return {std::move(ports), Judge::between, 0, std::move(reason)};
 }
 
+// Words of flags: those of `low` must be set, those beyond `high` must not.
+inline Bound bits(std::string port, std::string reason) {
+  return {{std::move(port)}, Judge::bits, 0, std::move(reason)};
+}
+
 // The oracle's answer for one bound.
 struct Expected {
   // exact, ulps, within, same_set: the elements, one a live element in order. between: lowest and highest admissible
   // element, side by side ports joined, alternative after alternative.
-  Bytes low = {}, high = {};  // `high` only for between
+  Bytes low = {}, high = {};  // `high` only for between and bits
   // between: alternatives of the i-th judged element are first[i] .. first[i+1]. More than one is undecided;
   // alternatives whose low and high differ in a float member count as one (a rounding interval), those that differ in
   // an integer member are undecided too.
@@ -310,8 +311,7 @@ struct Variant {
   std::string note = {};                          // one line: the idea
 };
 
-// The generator's source of randomness. Every named branch is counted; the check fails where one starves.
-class Random;
+class Random;  // the generator's; every named branch is counted, and the check fails where one starves
 
 struct HardCase {
   std::string name;  // after what it hits

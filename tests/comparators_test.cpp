@@ -111,6 +111,20 @@ TEST(Comparators, SameSetIgnoresOrderButNotMultiplicity) {
   EXPECT_EQ(v.first, "elements 0 to 3 as a set: expected 2, got 3; 1 of 4 differ");
 }
 
+TEST(Comparators, BitsAreRequiredAllowedOrForbidden) {
+  const auto verdict = [](uint32_t got) {
+    return judge(bits("p", ""), {kWord}, {bytes_of<uint32_t>({7, 0b0011}), bytes_of<uint32_t>({7, 0b0111})},
+                 {bytes_of<uint32_t>({7, got})});
+  };
+  for (const uint32_t fine : {0b0011u, 0b0111u}) EXPECT_EQ(verdict(fine).violations, 0u) << fine;
+  EXPECT_EQ(verdict(0b0011).judged, 64u);
+  EXPECT_EQ(verdict(0b0011).undecided, 1u);
+  for (const uint32_t wrong : {0b0001u, 0b0110u, 0b1011u, 0u}) EXPECT_EQ(verdict(wrong).violations, 1u) << wrong;
+  const Verdict v = verdict(0b1000'0001);
+  EXPECT_EQ(v.element, 1u);
+  EXPECT_EQ(v.worst, 2);
+}
+
 TEST(Comparators, SameSetTakesEveryOrderAndNoChange) {
   EXPECT_TRUE(
       rc::check("a shuffled set passes, one changed element fails", [](std::vector<uint32_t> want, uint32_t at) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <stdexcept>
 
 #include "harness/check/elements.h"
@@ -214,6 +215,28 @@ Verdict judge_between(const Bound& bound, const Elements& e, const Expected& x) 
   return v;
 }
 
+// Bits are judged one by one: so many are undecided as may be set or not.
+Verdict judge_bits(const Bound& bound, const Elements& e, const Expected& x) {
+  if (x.low.size() != x.high.size()) throw std::logic_error("oracle: flags of " + name_of(bound) + " without a limit");
+  const auto at = positions(e, x);
+  Verdict v;
+  for (size_t i = 0; i < at.size(); ++i) {
+    uint64_t wrong = 0;
+    for (const Component& c : e.components) {
+      const uint64_t place = at[i] * e.stride + c.joined;
+      const uint32_t low = word_at(x.low.data() + place), high = word_at(x.high.data() + place);
+      const uint32_t got = word_at(got_at(e, e.judged[i], c));
+      v.judged += 32;
+      v.undecided += static_cast<uint64_t>(std::popcount(low ^ high));
+      wrong += static_cast<uint64_t>(std::popcount((low & ~got) | (got & ~high)));
+    }
+    if (wrong == 0) continue;
+    v.worst = std::max(v.worst, static_cast<double>(wrong));
+    record(v, e, e.judged[i], x.low.data() + at[i] * e.stride, fmt::format(", {} flags wrong", wrong));
+  }
+  return v;
+}
+
 Verdict judge_elements(const Bound& bound, const std::vector<Layout>& layouts, const Expected& expected,
                        const std::vector<Bytes>& got) {
   const Elements e = elements_of(layouts, expected, got);
@@ -227,6 +250,8 @@ Verdict judge_elements(const Bound& bound, const std::vector<Layout>& layouts, c
       return judge_set(e, expected);
     case Judge::between:
       return judge_between(bound, e, expected);
+    case Judge::bits:
+      return judge_bits(bound, e, expected);
   }
   throw std::logic_error("a judge without a comparator");
 }
@@ -241,7 +266,7 @@ Verdict judge(const Bound& bound, const std::vector<Layout>& layouts, const Expe
 }
 
 std::string name_of(const Bound& b) {
-  constexpr const char* kNames[] = {"exact", "ulps", "within", "same_set", "between"};
+  constexpr const char* kNames[] = {"exact", "ulps", "within", "same_set", "between", "bits"};
   return fmt::format("{}({})", kNames[static_cast<int>(b.judge)], fmt::join(b.ports, ", "));
 }
 

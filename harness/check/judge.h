@@ -11,7 +11,8 @@ struct Verdict {
   uint64_t judged = 0, undecided = 0, violations = 0;
   uint64_t nans = 0;  // of the violations, elements with a NaN where a number was expected
   // exact, same_set: wrong elements. ulps, within: largest error of a float, infinite for NaN or a wrong integer.
-  // between: largest distance of a component outside the nearest alternative, infinite for NaN.
+  // bits: most wrong flags of an element. between: largest distance of a component outside the nearest alternative,
+  // infinite for NaN.
   double worst = 0;
   std::string first;     // of the first violation: element, expected, got
   uint64_t element = 0;  // the first violation's

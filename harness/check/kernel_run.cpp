@@ -52,7 +52,7 @@ void tally(KernelRun& run, VariantState& state, const Outcome& outcome, Kind kin
     state.result.wrong += v.violations;
     state.result.nans += v.nans;
     if (kind == Kind::hard) state.result.hard_undecided += v.undecided;
-    if (kind == Kind::hard || bounds[i].judge != Judge::between) continue;
+    if (kind == Kind::hard || (bounds[i].judge != Judge::between && bounds[i].judge != Judge::bits)) continue;
     Share& share = kind == Kind::typical ? run.of_typical : run.of_trials.back();
     share.judged += v.judged;
     share.undecided += v.undecided;
