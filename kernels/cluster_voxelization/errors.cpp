@@ -1,6 +1,8 @@
 // Listed pairs over touching ones, on the distributions of numerics.md 3.2.
 #include <fmt/format.h>
+
 #include <bit>
+#include <map>
 
 #include "kernels/cluster_voxelization/inputs.h"
 
@@ -36,17 +38,25 @@ Case class_case(const GridClass& grid, const ItemClass& item, double radius) {
 }
 
 double goal_of(const Variant& v, const Case& c) {
-  if (v.name == "separating_axis") return 1.001;
+  if (v.name == "separating_axis") return grid_of(c).slices > 1 ? 1.001 : 1.01;  // numerics.md 3.3 of full depth
   for (const GridClass& g : kGrids)
     if (v.name == "two_way" && g.columns == grid_of(c).columns && g.slices == grid_of(c).slices) return g.two_way_goal;
   return 0;
+}
+
+// The same for all variants, and the most of the work.
+uint64_t touching_pairs_of_class(const Case& c) {
+  static std::map<std::string, uint64_t> known;
+  const auto [at, is_new] = known.try_emplace(c.name, 0);
+  if (is_new) at->second = touching_pairs(c);
+  return at->second;
 }
 
 std::vector<Figure> figures(const Variant& v, const Case& c, const std::map<std::string, Bytes>& written) {
   const Bytes& bytes = written.at("light_bits");
   uint64_t listed = 0;
   for (const std::byte b : bytes) listed += static_cast<uint64_t>(std::popcount(std::to_integer<unsigned>(b)));
-  const uint64_t touching = touching_pairs(c);
+  const uint64_t touching = touching_pairs_of_class(c);
   const double items = item_counts(c).lights, listed_pairs = static_cast<double>(listed),
                pairs = static_cast<double>(touching);
   return {{"cells an item", pairs / items, 0}, {"listed / touching", listed_pairs / pairs, goal_of(v, c)}};
@@ -58,9 +68,14 @@ ErrorTable error_table() {
   ErrorTable t = {.classes = {}, .figures = figures};
   for (const GridClass& grid : kGrids)
     for (const ItemClass& item : kItems)
-      for (const double radius : {0.25, 1.0, 4.0, 16.0})
-        t.classes.push_back({fmt::format("{}, {}, {} m", grid.name, item.name, radius), "numerics.md 3.2",
-                             [&grid, &item, radius] { return class_case(grid, item, radius); }});
+      for (const double radius : {0.25, 1.0, 4.0, 16.0}) {
+        const std::string name = fmt::format("{}, {}, {} m", grid.name, item.name, radius);
+        t.classes.push_back({name, "numerics.md 3.2", [&grid, &item, radius, name] {
+                               Case c = class_case(grid, item, radius);
+                               c.name = name;
+                               return c;
+                             }});
+      }
   return t;
 }
 
