@@ -100,9 +100,9 @@ std::vector<HardCase> shapes() {
        }},
       {"long_between_cells", "an edge passes an edge: neither one's faces keep them apart",
        [] {
-         std::vector<ClusterItem> items;
+         std::vector<ClusterItem> items(64);
          Pcg32 rng(7);
-         for (int i = 0; i < 64; ++i) items.push_back(random_spot(rng, {}, 4, 10));
+         for (ClusterItem& item : items) item = random_spot(rng, {}, 4, 10);
          return of_lights(items);
        }},
       {"empty_shapes", "a point, a line and a plane have faces without a direction",
@@ -117,9 +117,9 @@ std::vector<HardCase> shapes() {
        }},
       {"small_items", "smaller than a cell: only the bounds keep them to it",
        [] {
-         std::vector<ClusterItem> items;
+         std::vector<ClusterItem> items(96);
          Pcg32 rng(8);
-         for (int i = 0; i < 96; ++i) items.push_back(random_box(rng, {}, 0.05, 2));
+         for (ClusterItem& item : items) item = random_box(rng, {}, 0.05, 2);
          return of_lights(items);
        }},
       {"not_numbers", "NaN, infinite, beyond 2^38: counted, in no cell",

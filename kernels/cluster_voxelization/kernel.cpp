@@ -1,5 +1,7 @@
 #include "harness/kernel.h"
 
+#include <fmt/format.h>
+
 #include "kernels/cluster_voxelization/inputs.h"
 
 namespace assay::cluster_voxelization {
@@ -30,7 +32,7 @@ std::vector<Bound> bounds(const std::string& test, const std::string& reason) {
   std::vector<Bound> all = {exact("dropped_items", "bit patterns")};
   for (const std::string kind : {"light", "decal", "probe"}) {
     all.push_back(bits(kind + "_bits", reason));
-    all.back().answer = test + "_" + kind + "s";
+    all.back().answer = fmt::format("{}_{}s", test, kind);
   }
   return all;
 }
