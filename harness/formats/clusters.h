@@ -1,4 +1,5 @@
-// Convex items, the grid of cells they are sorted into, and the slices of depth; view space, x right, y down, z forward.
+// Convex items, the grid of cells they are sorted into, and the slices of depth; view space, x right, y down, z
+// forward.
 #ifndef HARNESS_FORMATS_CLUSTERS_H
 #define HARNESS_FORMATS_CLUSTERS_H
 #include "harness/shared.h"
@@ -11,8 +12,9 @@ SHARED_CONST uint kMaxClusterColumns = 120u;  // of 32 pixels at 3840x2160
 SHARED_CONST uint kMaxClusterRows = 68u;
 SHARED_CONST uint kMaxClusterSlices = 32u;
 
-SHARED_CONST uint kShapeBox = 0u;      // origin ± a ± b ± c
-SHARED_CONST uint kShapePyramid = 1u;  // the hull of origin, the apex, and origin + c ± a ± b; every other value is a box
+SHARED_CONST uint kShapeBox = 0u;  // origin ± a ± b ± c
+SHARED_CONST uint kShapePyramid =
+    1u;  // the hull of origin, the apex, and origin + c ± a ± b; every other value is a box
 
 // Metres. Any three vectors will do: skew, flat and empty shapes are shapes. A number of 2^38 or more, infinite or not
 // a number, in any of them takes the item out of all cells.
