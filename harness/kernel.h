@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "harness/formats/clusters.h"
 #include "harness/formats/light.h"
 #include "harness/formats/scene.h"
 #include "harness/layout_table.h"
@@ -230,6 +231,7 @@ struct Unpack {
 };
 
 // What is allowed of a port and why. `between` may join several ports of equal count (their elements side by side).
+// `bits` are words of flags: those of `low` must be set, those beyond `high` must not.
 struct Bound {
   std::vector<std::string> ports;
   Judge judge = Judge::exact;
@@ -253,8 +255,6 @@ inline Bound same_set(std::string port, std::string reason) {
 inline Bound between(std::vector<std::string> ports, std::string reason) {
   return {std::move(ports), Judge::between, 0, std::move(reason)};
 }
-
-// Words of flags: those of `low` must be set, those beyond `high` must not.
 inline Bound bits(std::string port, std::string reason) {
   return {{std::move(port)}, Judge::bits, 0, std::move(reason)};
 }
@@ -358,6 +358,7 @@ struct FrameInputs {
   SceneCounts scene = {};
   std::vector<uint32_t> shaders = {};  // visible shader classes (formats/material.h), ascending: slot -> class
   ViewRays rays = {};
+  ClusterGrid grid = {};  // without cells: clusters are off
   float near_plane = 0.1f;
   float exposure_stops = 0;  // added to the automatic exposure
   uint32_t view = 0;         // the debug view asked for (kernels/debug_view/layout.h)
@@ -385,8 +386,7 @@ struct Kernel {
   ErrorTable errors = {};
 };
 
-// Every kernel folder, sorted by name. Defined in the generated registry.
-const std::vector<Kernel>& all_kernels();
+const std::vector<Kernel>& all_kernels();             // a folder each, by name; defined in the generated registry
 const Kernel& kernel_named(const std::string& name);  // throws, naming the nearest
 
 inline bool has_port(const Variant& v, const Port& p) {

@@ -26,7 +26,19 @@ struct ClusterItem {
   vec3 c;
 };
 
+// Cells of a picture: pixel (x, y) at depth z is in column x / cell_width, row y / cell_height, and the last slice that
+// begins at z or nearer; what is nearer than the first or farther than the last is in those. Cells follow one another
+// by column, row and slice.
+struct ClusterGrid {
+  uint columns;
+  uint rows;
+  uint slices;
+  uint cell_width;  // pixels
+  uint cell_height;
+};
+
 #ifdef __cplusplus
+SHARED_LAYOUT(ClusterGrid, columns, rows, slices, cell_width, cell_height);
 SHARED_LAYOUT(ClusterItem, origin, shape, a, b, c);
 #endif
 SHARED_END

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
+#include "harness/clusters.h"
+
 namespace assay::cluster_voxelization {
 
 using glm::dmat3;
@@ -13,19 +15,14 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-// The float at or above.
-float rounded_up(double x) {
-  const auto f = static_cast<float>(x);
-  return f < x ? std::nextafter(f, HUGE_VALF) : f;
-}
-
 }  // namespace
 
 std::vector<float> Scene::edges() const {
   std::vector<float> all;
   for (uint i = 0; i <= columns; ++i) all.push_back(static_cast<float>(slope_x * (2.0 * i / columns - 1)));
   for (uint i = 0; i <= rows; ++i) all.push_back(static_cast<float>(slope_y * (2.0 * i / rows - 1)));
-  for (uint i = 0; i <= slices; ++i) all.push_back(rounded_up(near * std::pow(far / near, double{1} * i / slices)));
+  const std::vector<float> depths = slice_edges(near, far, slices);
+  all.insert(all.end(), depths.begin(), depths.end());
   if (extended) all[columns + rows + 2] = 0, all.back() = std::max(1e5f, all.back());
   return all;
 }
