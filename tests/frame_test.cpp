@@ -10,6 +10,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "harness/formats/cluster_lists.h"
 #include "harness/formats/debug_view.h"
 #include "harness/formats/visibility.h"
 #include "harness/formats/workloads.h"
@@ -315,6 +316,45 @@ TEST(Frame, ExplanationsAreTextAndJson) {
   const auto json = frame::to_json(e);
   EXPECT_EQ(json["bytes"], frame::total_bytes(e));
   EXPECT_EQ(json["passes"].size(), e.passes.size());
+}
+
+// ---- Clusters
+// -----------------------------------------------------------------------------------
+
+// What a light lights it does so through its cells: the picture of all lights by brute force, bit for bit, as long as
+// no list was full.
+void expect_same_light(const scene::Scene& s, Extent size) {
+  const std::string radiance = "deferred_lighting.radiance", status = "cluster_lists.list_status";
+  Options o = {.size = size, .clusters = "none", .goals = {radiance}, .warm_up = false};
+  const Result all = draw(s, o);
+  EXPECT_FALSE(all.downloads.contains(status)) << "nobody needs cells";
+  for (const std::string clusters : {"coarse", "fine"})
+    for (const std::string variant : {"clustered", "clustered_scalarised"}) {
+      o.clusters = clusters, o.variants["deferred_lighting"] = variant;
+      const Result some = draw(s, o);
+      EXPECT_EQ(some.downloads.at(radiance), all.downloads.at(radiance)) << clusters << ", " << variant;
+      const auto counts = words<ClusterListStatus>(some.downloads.at(status)).at(0);
+      EXPECT_EQ(counts.dropped_lights, 0u);
+      EXPECT_GT(counts.entries, 0u);
+    }
+}
+
+TEST(Frame, LightThroughClustersIsLightByBruteForce) {
+  expect_same_light(scene::small(), {320, 180});
+  expect_same_light(scene::default_scene(), {333, 187});
+}
+
+// A hall of lights that all reach everything: more than 256 in each cell.
+TEST(Frame, FullListsOfCellsAreTold) {
+  scene::Scene s = scene::small();
+  for (uint32_t i = 0; i < 300; ++i) s.lights.push_back({.kind = scene::LightKind::point, .intensity = 0.01f});
+  const Result r = draw(s, {.size = {64, 36}, .warm_up = false});
+  EXPECT_TRUE(std::ranges::any_of(
+      r.notes, [](const std::string& note) { return note.find("found no room") != std::string::npos; }));
+}
+
+TEST(Frame, UnknownClustersAreNamed) {
+  EXPECT_THROW(draw(scene::bare(), {.size = {8, 8}, .clusters = "some"}), std::invalid_argument);
 }
 
 }  // namespace

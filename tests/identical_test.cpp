@@ -20,6 +20,7 @@ struct Promise {
 };
 const Promise kPromises[] = {
     {"deferred_lighting", {"plain", "tiled_shared", "subgroup_cull"}, {"radiance"}},
+    {"deferred_lighting", {"clustered", "clustered_scalarised"}, {"radiance"}},
     {"resolve", {"two_level", "subgroup_tree", "bucketed_curve"}, {"partials", "exposure", "image"}},
 };
 

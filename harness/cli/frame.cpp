@@ -114,6 +114,13 @@ void add_frame(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_option("--camera", f->camera, "Eye and target in metres, y up; the file's first camera by default")
       ->type_name("EX,EY,EZ,TX,TY,TZ");
+  command
+      ->add_option(
+          "--clusters", f->options.clusters,
+          "Lights looked up in 16x8x24 cells (coarse) or cells of 32 pixels in 24 slices (fine), or none: every "
+          "pixel asks every light")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"none", "coarse", "fine"}));
   command->add_option("--exposure", f->options.exposure_stops, "Stops brighter than the automatic exposure")
       ->capture_default_str()
       ->type_name("STOPS")

@@ -7,6 +7,8 @@
 #include <glm/gtc/packing.hpp>
 #include <stdexcept>
 
+#include "harness/clusters.h"
+#include "harness/formats/cluster_lists.h"
 #include "harness/formats/debug_view.h"
 #include "harness/frame/hazards.h"
 #include "harness/frame/legend.h"
@@ -32,10 +34,11 @@ constexpr View kViews[] = {
     {"tile", kDebugImage, kViewTile, "tile_classification.masks"},
     {"workload", kDebugImage, kViewWorkload, "tile_classification.workload_tiles"},
 };
+constexpr const char* kListStatus = "cluster_lists.list_status";
 constexpr const char* kRadiance = "deferred_lighting.radiance";
 // Beside the goals: what legends, statistics and layers are made of.
-constexpr const char* kDownloads[] = {"visibility.visibility", "visibility.depth", "tile_classification.masks",
-                                      kRadiance, kCommandStatus};
+constexpr const char* kDownloads[] = {
+    "visibility.visibility", "visibility.depth", "tile_classification.masks", kRadiance, kCommandStatus, kListStatus};
 constexpr uint32_t kLargestSide = 16384;  // that every Vulkan 1.3 device renders to, lavapipe included
 
 struct Prepared {
@@ -71,6 +74,11 @@ void require_size(Extent e) {
         fmt::format("a frame of {}x{} pixels cannot be drawn; a side has 1 to {}", e.width, e.height, kLargestSide));
 }
 
+void require_clusters(const std::string& clusters) {
+  if (clusters != "none" && clusters != "coarse" && clusters != "fine")
+    throw std::invalid_argument(fmt::format("no clusters '{}'; there are none, coarse, fine", clusters));
+}
+
 void require_ranges(const Graph& g, const device::Info& info) {
   for (const Resource& r : g.resources)
     if (r.port->kind == PortKind::buffer && r.bytes + device::kGuardBytes > info.max_buffer_range)
@@ -79,22 +87,33 @@ void require_ranges(const Graph& g, const device::Info& info) {
                       info.name, info.max_buffer_range));
 }
 
+// Without lights or clusters nothing is looked up in cells, and the passes that fill them are not needed.
+std::map<std::string, std::string> variants_of(const Options& options, const scene::Gathered& gathered) {
+  std::map<std::string, std::string> variants = options.variants;
+  if (gathered.lights.empty() || options.clusters == "none") variants.try_emplace("deferred_lighting", "plain");
+  return variants;
+}
+
 Prepared prepare(const device::Info& info, const scene::Scene& scene, const scene::Camera& camera,
                  const Options& options) {
   require_size(options.size);
+  require_clusters(options.clusters);
   Prepared p = {.view = &view_named(options.view)};
   p.gathered = scene::gather(scene, camera, options.size);
+  const bool fine = options.clusters == "fine";
+  scene::append_clusters(camera, options.size, fine ? fine_cell(options.size) : coarse_cell(options.size), p.gathered);
   p.scene_bytes = scene_bytes(p.gathered);
   p.graph = build_graph({.kernels = all_kernels(),
                          .view = {.extent = options.size,
                                   .scene = p.gathered.counts,
                                   .shaders = p.gathered.shaders,
                                   .rays = p.gathered.rays,
+                                  .grid = p.gathered.grid,
                                   .near_plane = static_cast<float>(camera.near_plane),
                                   .exposure_stops = options.exposure_stops,
                                   .view = p.view->debug},
                          .scene = p.scene_bytes,
-                         .variants = options.variants,
+                         .variants = variants_of(options, p.gathered),
                          .goals = goals_of(options, *p.view),
                          .device = &info});
   require_ranges(p.graph, info);
@@ -127,6 +146,14 @@ std::vector<T> values_of(const Result& r, const std::string& name) {
   std::vector<T> values(it->second.size() / sizeof(T));
   std::memcpy(values.data(), it->second.data(), values.size() * sizeof(T));
   return values;
+}
+
+// What found no room in the lists of cells is missing from the picture.
+void note_dropped(Result& r) {
+  if (!r.downloads.contains(kListStatus)) return;
+  const ClusterListStatus status = values_of<ClusterListStatus>(r, kListStatus).at(0);
+  if (const uint64_t dropped = uint64_t{status.dropped_lights} + status.dropped_decals + status.dropped_probes)
+    r.notes.push_back(fmt::format("{} items of cells found no room in their lists and are missing", dropped));
 }
 
 void add_radiance(image::Layers& layers, const Bytes& halves) {
@@ -187,6 +214,7 @@ Result render(device::Device& d, const scene::Scene& scene, const scene::Camera&
   r.notes = scene.notes;
   r.notes.insert(r.notes.end(), p.gathered.notes.begin(), p.gathered.notes.end());
   r.downloads = download(d, p.graph, allocated);
+  note_dropped(r);
   r.statistics = pass_shares(r.downloads);
   show(r, p, scene);
   return r;

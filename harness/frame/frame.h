@@ -28,6 +28,8 @@ struct Options {
   std::map<std::string, std::string> variants =
       {};                    // kernel -> variant or label ("visibility" -> "slim"); else default
   float exposure_stops = 0;  // brighter than the automatic exposure
+  // Lights by cells of 16x8x24 or of 32 pixels in 24 slices, or each pixel asks all of them.
+  std::string clusters = "coarse";  // none, coarse, fine
   // Resources that must be computed; whatever none of them needs is left out. Empty: the picture and the statistics.
   std::vector<std::string> goals = {};
   bool warm_up = true;  // draw once before the times are taken: shaders compile at their first dispatch

@@ -17,7 +17,10 @@ std::map<std::string, std::span<const std::byte>> scene_buffers(const scene::Gat
           {"scene.draws", std::as_bytes(std::span(g.draws))},
           {"scene.materials", std::as_bytes(std::span(g.materials))},
           {"scene.surface_slots", std::as_bytes(std::span(g.surface_slots))},
-          {"scene.lights", std::as_bytes(std::span(g.lights))}};
+          {"scene.lights", std::as_bytes(std::span(g.lights))},
+          {"scene.cluster_items", std::as_bytes(std::span(g.cluster_items))},
+          {"scene.cluster_edges", std::as_bytes(std::span(g.cluster_edges))},
+          {"scene.slice_edges", std::as_bytes(std::span(g.slice_edges))}};
 }
 
 struct Contents {

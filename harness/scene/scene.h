@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/formats/clusters.h"
 #include "harness/formats/features.h"
 #include "harness/formats/light.h"
 #include "harness/formats/material.h"
@@ -134,11 +135,18 @@ struct Gathered {
   std::vector<uint32_t> shaders;           // classes of the surfaces' materials, ascending
   std::vector<LightRecord> lights;         // in the scene's order; a default where it has none
   ViewRays rays = {};
+  ClusterGrid grid = {};
+  std::vector<float> cluster_edges;  // slopes of columns and rows and depths of slices (kernels/cluster_voxelization)
+  std::vector<float> slice_edges;    // the slices' in reversed depth
+  std::vector<ClusterItem> cluster_items;                // view space; of each light
   std::vector<Texture> textures;                         // one array a (size, format)
   std::vector<uint32_t> surface_instance, surface_part;  // back to the scene, for reference renderers
   std::vector<std::string> notes;  // what was left out or added and why: culled instances and lights, …
 };
 Gathered gather(const Scene&, const Camera&, Extent);
+// Adds the grid of cells of so many pixels, and the items of the lights gathered. Every pixel that a light reaches, as
+// shaders compute positions, lies in a cell that its item touches.
+void append_clusters(const Camera&, Extent picture, Extent cell, Gathered&);
 
 // Row-major clip rows of a camera: x, y, w of Vulkan clip space (y down) for camera-relative world coordinates.
 struct ClipRows {

@@ -1,5 +1,5 @@
 // What a cell holds, within what an entry has room for; the rest is dropped. The offset is place.comp's to give.
-UPDATES(4, ListStatus, list_status);
+UPDATES(4, ClusterListStatus, list_status);
 
 void drop(uvec3 lost) {
   if (lost.x != 0u) atomicAdd(list_status[0].dropped_lights, lost.x);
@@ -9,7 +9,7 @@ void drop(uvec3 lost) {
 
 void store_counts(uint cell, uvec3 found) {
   const uvec3 kept = min(found, most_in_a_cell());
-  cells[cell] = uvec2(0u, pack_cluster_counts(kept));
+  cells[cell] = uvec2(0u, pack_cluster(kept));
 #ifndef MUTANT_3  // what is dropped is not told
   drop(found - kept);
 #endif

@@ -27,7 +27,7 @@ std::function<Groups(const Case&)> per(uint32_t cells_of_a_group) {
 Cost cost(const Case& c) {
   const uint64_t bits = light_bits(c) + decal_bits(c) + probe_bits(c);
   return {.bytes_read = 2 * bits * sizeof(uint) + 3 * cells(c) * sizeof(uvec2) + blocks(c) * sizeof(uint),
-          .bytes_written = 2 * cells(c) * sizeof(uvec2) + blocks(c) * sizeof(uint) + sizeof(ListStatus),
+          .bytes_written = 2 * cells(c) * sizeof(uvec2) + blocks(c) * sizeof(uint) + sizeof(ClusterListStatus),
           .operations = 4 * bits};
 }
 
@@ -58,7 +58,7 @@ Kernel describe() {
                 reads<uint>("decal_bits", decal_bits, {"cluster_voxelization.decal_bits"}),
                 reads<uint>("probe_bits", probe_bits, {"cluster_voxelization.probe_bits"}),
                 writes<uvec2>("cells", cells), writes<uint>("block_entries", blocks),
-                writes<ListStatus>("list_status", fixed(1)), writes<uint>("entries", capacity)},
+                writes<ClusterListStatus>("list_status", fixed(1)), writes<uint>("entries", capacity)},
       .variants = {variant("thread", 64, "a thread a cell"), variant("team", 8, "32 threads a cell, a word each")},
       .oracle = lists,
       .inputs = inputs(),

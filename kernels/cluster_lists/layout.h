@@ -1,4 +1,4 @@
-// Parameters of the cluster lists, and what they tell of themselves.
+// Parameters of the cluster lists.
 #ifndef CLUSTER_LISTS_LAYOUT_H
 #define CLUSTER_LISTS_LAYOUT_H
 #include "harness/formats/cluster_lists.h"
@@ -18,17 +18,8 @@ struct ListParams {
   uint capacity;  // entries that the list holds
 };
 
-// What is asked for, were there room for all, and what is in no list.
-struct ListStatus {
-  uint entries;
-  uint dropped_lights;
-  uint dropped_decals;
-  uint dropped_probes;
-};
-
 #ifdef __cplusplus
 SHARED_LAYOUT(ListParams, lights, decals, probes, cells, capacity);
-SHARED_LAYOUT(ListStatus, entries, dropped_lights, dropped_decals, dropped_probes);
 #endif
 SHARED_END
 #endif

@@ -57,7 +57,8 @@ Answer lists(const Case& c) {
   }
   Expected listed = expect_all(entries);
   listed.live = std::vector<Expected::Run>{{0, entries.size()}};
-  const std::vector<ListStatus> status = {{static_cast<uint32_t>(wanted_so_far), dropped[0], dropped[1], dropped[2]}};
+  const std::vector<ClusterListStatus> status = {
+      {static_cast<uint32_t>(wanted_so_far), dropped[0], dropped[1], dropped[2]}};
   return {{"cells", expect_all(heads)},
           {"entries", std::move(listed)},
           {"block_entries", expect_all(blocks)},

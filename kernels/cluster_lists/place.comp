@@ -23,7 +23,7 @@ void main() {
   sum_through(earlier, before_block);
 
   const bool is_cell = cell < cell_count();
-  const uvec3 wanted = is_cell ? unpack_cluster_counts(cells[cell].y) : uvec3(0u);
+  const uvec3 wanted = is_cell ? unpack_cluster(cells[cell].y) : uvec3(0u);
   const uint through = sum_through(most_of(wanted), of_block);
   if (!is_cell) return;
 #ifdef MUTANT_8  // inclusive
@@ -32,7 +32,7 @@ void main() {
   const uint begin = min(before_block + through - most_of(wanted), params.capacity);
 #endif
   const uvec3 kept = min(wanted, uvec3(params.capacity - begin));
-  cells[cell] = uvec2(begin, pack_cluster_counts(kept));
+  cells[cell] = uvec2(begin, pack_cluster(kept));
   drop(wanted - kept);
   if (cell + 1u == cell_count()) list_status[0].entries = before_block + through;
 }

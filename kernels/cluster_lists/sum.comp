@@ -11,7 +11,7 @@ shared uint sums[kBlock];
 
 void main() {
   const uint thread = gl_LocalInvocationID.x, cell = gl_GlobalInvocationID.x;
-  sums[thread] = cell < cell_count() ? most_of(unpack_cluster_counts(cells[cell].y)) : 0u;
+  sums[thread] = cell < cell_count() ? most_of(unpack_cluster(cells[cell].y)) : 0u;
   barrier();
 #ifdef MUTANT_5  // the block's first cell is left out
   for (uint reach = kBlock / 2u; reach > 0u; reach /= 2u) {

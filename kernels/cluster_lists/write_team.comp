@@ -15,7 +15,7 @@ void main() {
   const uint cell = gl_WorkGroupID.x * kTeams + team;
   const bool is_cell = cell < cell_count();
   const uvec2 head = is_cell ? cells[cell] : uvec2(0u);
-  const uvec3 counts = unpack_cluster_counts(head.y);
+  const uvec3 counts = unpack_cluster(head.y);
   for (uint i = member; i < kMaxClusterEntries; i += kTeam) list[team][i] = 0u;
   barrier();
   for (uint kind = 0u; kind < kKinds; ++kind) {
@@ -30,9 +30,9 @@ void main() {
         uvec3 items = uvec3(0u);
         items[kind] = w * 32u + uint(findLSB(bits));
 #ifdef MUTANT_10  // the last kind alone is left
-        list[team][at] = pack_cluster_entry(items);
+        list[team][at] = pack_cluster(items);
 #else
-        atomicOr(list[team][at], pack_cluster_entry(items));
+        atomicOr(list[team][at], pack_cluster(items));
 #endif
       }
 #ifndef MUTANT_11  // each round of words begins at the front again

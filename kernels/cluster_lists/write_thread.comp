@@ -28,13 +28,13 @@ void main() {
   const uint cell = gl_GlobalInvocationID.x;
   if (cell >= cell_count()) return;
   const uvec2 head = cells[cell];
-  const uvec3 counts = unpack_cluster_counts(head.y);
+  const uvec3 counts = unpack_cluster(head.y);
   Walk walks[kKinds];
   for (uint kind = 0u; kind < kKinds; ++kind) walks[kind] = Walk(0u, 0u);
   for (uint i = 0u; i < most_of(counts); ++i) {
     uvec3 items = uvec3(0u);
     for (uint kind = 0u; kind < kKinds; ++kind)
       if (i < counts[kind]) items[kind] = next_item(kind, cell, walks[kind]);
-    entries[head.x + i] = pack_cluster_entry(items);
+    entries[head.x + i] = pack_cluster(items);
   }
 }

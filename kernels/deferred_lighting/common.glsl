@@ -14,6 +14,13 @@ PARAMS(LightingParams);
 // Reversed depth: the farther, the nearer to 0; 0 is no surface, as are NaN and what is below every float's precision.
 const float kLeastDepth = 1e-30;
 
+// Pixels of a 16x16 tile in Morton order, so that waves of any width are as square as can be.
+uvec2 in_tile(uint i) {
+  uvec2 at = uvec2(i, i >> 1) & 0x55u;
+  at = (at | at >> 1) & 0x33u;
+  return (at | at >> 2) & 0x0fu;
+}
+
 bool on_screen(uvec2 pixel) {
 #ifdef MUTANT_1
   return pixel.x + 1u < params.width && pixel.y < params.height;

@@ -7,6 +7,12 @@ namespace {
 
 Groups per_tile(const Case& c) { return {ceil_div(c.extent.width, 16), ceil_div(c.extent.height, 16), 1}; }
 uint64_t lights(const Case& c) { return c.params<LightingParams>().lights; }
+uint64_t cells(const Case& c) {
+  const ClusterGrid g = c.params<LightingParams>().grid;
+  return uint64_t{g.columns} * g.rows * g.slices;
+}
+uint64_t entries(const Case& c) { return c.params<LightingParams>().entries; }
+uint64_t slice_edges(const Case& c) { return uint64_t{c.params<LightingParams>().grid.slices} + 1; }
 
 // Operations of a light at a pixel: 150 in common, as the shader counts them.
 Cost cost(const Case& c) {
@@ -20,15 +26,41 @@ std::vector<std::string> of_gbuffer(const std::string& channel) {
   return {"gbuffer_update." + channel, "deferred_texturing." + channel};
 }
 
+const char* const kReason =
+    "running error of fp32 by Vulkan's table (README, Bounds), then either neighbouring half; alpha exact";
+
+Bound radiance(const std::string& reason) {
+  Bound bound = between({"radiance"}, reason);
+  bound.unpack = Unpack{texel_layout(), unpack_texels};
+  return bound;
+}
+
 std::vector<Port> ports() {
-  return {reads_image("depth", Format::d32_float, {"visibility.depth"}),
-          reads_image("base_roughness", Format::rgba8_unorm, of_gbuffer("base_roughness")),
-          reads_image("normal", Format::rg16_snorm, of_gbuffer("normal")),
-          reads_image("metallic_occlusion", Format::rg8_unorm, of_gbuffer("metallic_occlusion")),
-          reads_image("emissive", Format::r32_uint, of_gbuffer("emissive")),
-          reads<uint>("features", pixels, of_gbuffer("features")),
-          reads<LightRecord>("lights", lights, {"scene.lights"}),
-          writes_image("radiance", Format::rgba16_float)};
+  std::vector<Port> all = {reads_image("depth", Format::d32_float, {"visibility.depth"}),
+                           reads_image("base_roughness", Format::rgba8_unorm, of_gbuffer("base_roughness")),
+                           reads_image("normal", Format::rg16_snorm, of_gbuffer("normal")),
+                           reads_image("metallic_occlusion", Format::rg8_unorm, of_gbuffer("metallic_occlusion")),
+                           reads_image("emissive", Format::r32_uint, of_gbuffer("emissive")),
+                           reads<uint>("features", pixels, of_gbuffer("features")),
+                           reads<LightRecord>("lights", lights, {"scene.lights"}),
+                           writes_image("radiance", Format::rgba16_float)};
+  for (Port& p : std::vector<Port>{reads<uvec2>("cells", cells, {"cluster_lists.cells"}),
+                                   reads<uint>("entries", entries, {"cluster_lists.entries"}),
+                                   reads<float>("slice_edges", slice_edges, {"scene.slice_edges"})}) {
+    p.only_in = {"clustered", "clustered_scalarised"};
+    all.push_back(std::move(p));
+  }
+  return all;
+}
+
+Variant clustered(const std::string& name, std::vector<Feature> needs, const std::string& note) {
+  Bound bound = radiance("of the lights in the cell's list: as of all");
+  bound.answer = "clustered_radiance";
+  return {.name = name,
+          .passes = {Dispatch{name + ".comp", per_tile}},
+          .needs = std::move(needs),
+          .bounds = std::vector<Bound>{bound},
+          .note = note};
 }
 
 std::vector<Mutant> mutants() {
@@ -45,6 +77,12 @@ std::vector<Mutant> mutants() {
           {"subgroup_cull.comp", 11, "lights are left out at half their range", "range_edge"},
           {"subgroup_cull.comp", 12, "the first lane's box for the wave's", "light_in_one_pixel"},
           {"subgroup_cull.comp", 13, "every light taken for the first of its round", "many_lights"},
+          {"lists.glsl", 14, "the last light is not there", "cells_of_one_light"},
+          {"clustered.comp", 15, "a list's first light is left out", "cells_of_one_light"},
+          {"clustered_scalarised.comp", 16, "the first lane's light for the least of all", "cells_within_a_wave"},
+          {"clustered_scalarised.comp", 17, "a wave of two cells taken for one of the first", "cells_within_a_wave"},
+          {"harness/glsl/clusters.glsl", 9401, "a depth on a boundary is in the slice before", "depths_on_slices"},
+          {"harness/glsl/clusters.glsl", 9402, "columns as wide as rows are high", "cells_of_one_light"},
           {"harness/glsl/gbuffer.glsl", 9302, "normals of the lower half stay folded", "every_normal"},
           {"harness/glsl/gbuffer.glsl", 9304, "emission twice as bright", "emission"},
           {"harness/glsl/gbuffer.glsl", 9306, "the root of the base colour taken for it", "no_light"},
@@ -61,18 +99,13 @@ std::vector<Mutant> mutants() {
           {"harness/glsl/lighting.glsl", 9211, "light that is no number is added", "no_numbers"}};
 }
 
-const char* const kReason =
-    "running error of fp32 by Vulkan's table (README, Bounds), then either neighbouring half; alpha exact";
-
 }  // namespace
 
 Kernel describe() {
-  Bound bound = between({"radiance"}, kReason);
-  bound.unpack = Unpack{texel_layout(), unpack_texels};
   return {
       .name = "deferred_lighting",
       .source = "Lazarek, Hammer 2025, deferred lighting; Walter et al. 2007, Heitz 2014, Schlick 1994; glTF's lights",
-      .default_variant = "plain",
+      .default_variant = "clustered",
       .params = layout_of<LightingParams>(),
       .ports = ports(),
       .variants = {{.name = "plain",
@@ -84,10 +117,13 @@ Kernel describe() {
                    {.name = "subgroup_cull",
                     .passes = {Dispatch{"subgroup_cull.comp", per_tile}},
                     .needs = {Feature::subgroup_ballot, Feature::subgroup_arithmetic},
-                    .note = "a wave leaves out lights whose range its pixels' box is beyond"}},
+                    .note = "a wave leaves out lights whose range its pixels' box is beyond"},
+                   clustered("clustered", {}, "each pixel walks the lights of its cell"),
+                   clustered("clustered_scalarised", {Feature::subgroup_ballot, Feature::subgroup_arithmetic},
+                             "a wave walks the lights of its cells together, in one cell without asking")},
       .oracle = expected_radiance,
       .inputs = {.random = random_case, .branches = branches(), .hard = hard_cases(), .smaller = smaller},
-      .bounds = {bound},
+      .bounds = {radiance(kReason)},
       .mutants = mutants(),
       .cost = cost,
       .typical = typical,

@@ -1,5 +1,7 @@
 #ifndef DEFERRED_LIGHTING_LAYOUT_H
 #define DEFERRED_LIGHTING_LAYOUT_H
+#include "harness/formats/cluster_lists.h"
+#include "harness/formats/clusters.h"
 #include "harness/formats/lighting.h"
 #include "harness/shared.h"
 SHARED_BEGIN(deferred_lighting)
@@ -11,13 +13,16 @@ struct LightingParams {
   uint width;        // pixels
   uint height;
   uint lights;  // records; those past kMostLights are not looked at
+  // Of the variants that walk lists.
+  ClusterGrid grid;
+  uint entries;  // of the lists
 };
 
 // One loop of an invocation runs over them, and lavapipe ends loops after 65,535 turns.
 SHARED_CONST uint kMostLights = 32768u;
 
 #ifdef __cplusplus
-SHARED_LAYOUT(LightingParams, rays, near_plane, ambient, width, height, lights);
+SHARED_LAYOUT(LightingParams, rays, near_plane, ambient, width, height, lights, grid, entries);
 #endif
 SHARED_END
 #endif

@@ -74,12 +74,31 @@ shading::OracleSurface surface_of(const View& v, uint64_t pixel) {
   return s;
 }
 
-Colour radiance_of(const View& v, uint64_t pixel) {
+// The lights of the pixel's cell: of the slices that begin at its depth or before, the last.
+std::vector<LightRecord> listed(const View& v, uint64_t pixel) {
+  const ClusterGrid& g = v.params.grid;
+  const auto cells = v.c.input<uvec2>("cells");
+  const auto entries = v.c.input<uint32_t>("entries");
+  const auto edges = v.c.input<float>("slice_edges");
+  if (cells.empty()) return {};
+  uint32_t slice = 0;
+  for (uint32_t k = 1; k < g.slices; ++k)
+    if (v.depth[pixel] <= edges[k]) slice = k;
+  const uint64_t column = std::min<uint64_t>(pixel % v.params.width / g.cell_width, g.columns - 1),
+                 row = std::min<uint64_t>(pixel / v.params.width / g.cell_height, g.rows - 1);
+  const uvec2 head = cells[(slice * uint64_t{g.rows} + row) * g.columns + column];
+  std::vector<LightRecord> found;
+  for (uint64_t i = head.x; i < uint64_t{head.x} + std::min(head.y % 4096, 256u) && i < entries.size(); ++i)
+    if (const uint32_t light = entries[i] % 4096; light < v.lights.size()) found.push_back(v.lights[light]);
+  return found;
+}
+
+Colour radiance_of(const View& v, uint64_t pixel, std::span<const LightRecord> lights) {
   const shading::OracleSurface s = surface_of(v, pixel);
   const dvec3 emission = emission_of(v.emissive[pixel]);
   Colour sum = Colour{exactly(emission.x), exactly(emission.y), exactly(emission.z)} +
                shading::shade_ambient(s, v.params.ambient) * shading::unorm8(v.metal[pixel] >> 8u);
-  for (const LightRecord& light : v.lights) sum = sum + shading::shade(s, light);
+  for (const LightRecord& light : lights) sum = sum + shading::shade(s, light);
   return sum;
 }
 
@@ -121,15 +140,17 @@ Bytes unpack_texels(std::span<const std::byte> texels) {
   return {bytes.begin(), bytes.end()};
 }
 
-Answer expected_radiance(const Case& c) {
-  const View v = {c};
+namespace {
+
+// `lights_of(pixel)` light it.
+template <class F>
+Expected radiance_under(const View& v, std::vector<uint64_t> judged, F lights_of) {
   std::vector<vec4> low, high;
   std::vector<uint32_t> first = {0};
-  auto judged = judged_pixels(v);
-  for_each_judged(c, judged, [&](uint64_t pixel) {
+  for_each_judged(v.c, judged, [&](uint64_t pixel) {
     vec4 a(0), b(0);
     if (has_surface(v.depth[pixel])) {
-      const Colour r = radiance_of(v, pixel);
+      const Colour r = radiance_of(v, pixel, lights_of(pixel));
       for (int i = 0; i < 3; ++i)
         a[i] = lowest(r[static_cast<size_t>(i)].low), b[i] = highest(r[static_cast<size_t>(i)].high);
       a.w = b.w = 1;
@@ -141,7 +162,16 @@ Answer expected_radiance(const Case& c) {
   e.high = expect_all(high).low;
   e.first = std::move(first);
   e.judged = std::move(judged);
-  return {{"radiance", std::move(e)}};
+  return e;
+}
+
+}  // namespace
+
+Answer expected_radiance(const Case& c) {
+  const View v = {c};
+  const auto judged = judged_pixels(v);
+  return {{"radiance", radiance_under(v, judged, [&](uint64_t) { return v.lights; })},
+          {"clustered_radiance", radiance_under(v, judged, [&](uint64_t pixel) { return listed(v, pixel); })}};
 }
 
 std::vector<double> relative_widths(const Case& c) {
@@ -149,7 +179,7 @@ std::vector<double> relative_widths(const Case& c) {
   std::vector<double> widths;
   for_each_judged(c, judged_pixels(v), [&](uint64_t pixel) {
     if (!has_surface(v.depth[pixel])) return;
-    for (const Interval& i : radiance_of(v, pixel))
+    for (const Interval& i : radiance_of(v, pixel, v.lights))
       if (i.low + i.high > 2e-3) widths.push_back((i.high - i.low) / (0.5 * (i.low + i.high)));
   });
   return widths;

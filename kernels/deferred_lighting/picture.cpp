@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/clusters.h"
+
 namespace assay::deferred_lighting {
 
 using glm::dvec3;
@@ -117,9 +119,43 @@ Picture hall(Extent e) {
   return p;
 }
 
+void add_cells(Picture& p, Extent cell, const std::vector<float>& depths,
+               const std::function<std::vector<uint32_t>(uint32_t)>& lights_in) {
+  p.params.grid = grid_over(p.extent, cell, static_cast<uint32_t>(depths.size()) - 1);
+  p.slice_edges = reversed_slice_edges(depths, p.params.near_plane);
+  const ClusterGrid& g = p.params.grid;
+  for (uint32_t i = 0; i < g.columns * g.rows * g.slices; ++i) {
+    const std::vector<uint32_t> lights = lights_in(i);
+    p.cells.emplace_back(p.entries.size(), lights.size());
+    p.entries.insert(p.entries.end(), lights.begin(), lights.end());
+  }
+}
+
+namespace {
+
+// Few lights are in all cells; of more, each cell has about eight.
+void add_some_cells(Picture& p) {
+  Pcg32 rng(p.lights.size());
+  const auto all = static_cast<uint32_t>(p.lights.size());
+  add_cells(p, {24, 40}, slice_edges(1, 60, 5), [&](uint32_t) {
+    std::vector<uint32_t> some;
+    for (uint32_t i = 0; i < all && some.size() < kMaxClusterEntries; ++i)
+      if (all <= 8 || rng.below(all) < 8) some.push_back(i);
+    return some;
+  });
+}
+
+}  // namespace
+
 Case to_case(const std::string& name, const Picture& p) {
+  if (p.cells.empty()) {
+    Picture with_cells = p;
+    add_some_cells(with_cells);
+    return to_case(name, with_cells);
+  }
   Case c = {.name = name, .extent = p.extent};
   LightingParams params = p.params;
+  params.entries = static_cast<uint32_t>(p.entries.size());
   params.width = p.extent.width, params.height = p.extent.height;
   params.lights = static_cast<uint32_t>(p.lights.size());
   c.set_params(params);
@@ -130,6 +166,9 @@ Case to_case(const std::string& name, const Picture& p) {
   c.set_input("emissive", p.emissive);
   c.set_input("features", p.features);
   c.set_input("lights", p.lights);
+  c.set_input("cells", p.cells);
+  c.set_input("entries", p.entries);
+  c.set_input("slice_edges", p.slice_edges);
   return c;
 }
 

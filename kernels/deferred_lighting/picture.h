@@ -1,5 +1,7 @@
 // G-buffers made by hand, for the cases.
 #pragma once
+#include <functional>
+
 #include "harness/oracle.h"
 #include "kernels/deferred_lighting/layout.h"
 
@@ -12,6 +14,10 @@ struct Picture {
   std::vector<uint32_t> base = {}, normal = {}, emissive = {}, features = {};
   std::vector<uint16_t> metal = {};
   std::vector<LightRecord> lights = {};
+  // Cells of params.grid, with the lights of each; empty: to_case makes some.
+  std::vector<float> slice_edges = {};
+  std::vector<uvec2> cells = {};
+  std::vector<uint32_t> entries = {};
 
   size_t at(uint32_t x, uint32_t y) const { return size_t{y} * extent.width + x; }
   glm::dvec3 ray(double x, double y) const;                     // to view depth 1, through (x, y) in pixels
@@ -26,6 +32,9 @@ Picture wall(Extent, double view_depth = 3);
 // A hall with balls of every roughness and some metals, as a frame might have it.
 Picture hall(Extent);
 Case to_case(const std::string& name, const Picture&);
+// Cells of so many pixels with slices at these depths, and in each `lights_in(cell)` of the picture's lights.
+void add_cells(Picture&, Extent cell, const std::vector<float>& depths,
+               const std::function<std::vector<uint32_t>(uint32_t)>& lights_in);
 
 uint32_t octahedral_code(const glm::dvec3&);
 uint32_t base_code(uint32_t red, uint32_t green, uint32_t blue, uint32_t roughness);  // bytes

@@ -9,13 +9,6 @@
 
 layout(local_size_x = 256) in;
 
-// Pixels of a 16x16 tile in Morton order, so that waves of any width are as square as can be.
-uvec2 in_tile(uint i) {
-  uvec2 at = uvec2(i, i >> 1) & 0x55u;
-  at = (at | at >> 1) & 0x33u;
-  return (at | at >> 2) & 0x0fu;
-}
-
 struct Box {
   vec3 low;
   vec3 high;
