@@ -10,7 +10,8 @@ SHARED_CONST uint kViewTile = 2u;      // the heat of a tile's features, with ti
 SHARED_CONST uint kViewWorkload = 3u;  // the workload that shades the tile, over the dimmed material
 SHARED_CONST uint kViewShader = 4u;    // a colour a shader class of deferred texturing
 SHARED_CONST uint kViewWave = 5u;      // a colour a wave of the pixel lists
-SHARED_CONST uint kViewCount = 6u;
+SHARED_CONST uint kViewClusters = 6u;  // how many items the cell of a pixel lists
+SHARED_CONST uint kViewCount = 7u;
 
 SHARED_END
 #endif

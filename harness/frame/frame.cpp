@@ -32,13 +32,19 @@ constexpr View kViews[] = {
     {"shader", kDebugImage, kViewShader, kDebugImage},
     {"wave", kDebugImage, kViewWave, "pixel_commands.entries"},
     {"tile", kDebugImage, kViewTile, "tile_classification.masks"},
+    {"clusters", kDebugImage, kViewClusters, kClusterCells},
     {"workload", kDebugImage, kViewWorkload, "tile_classification.workload_tiles"},
 };
 constexpr const char* kListStatus = "cluster_lists.list_status";
 constexpr const char* kRadiance = "deferred_lighting.radiance";
 // Beside the goals: what legends, statistics and layers are made of.
-constexpr const char* kDownloads[] = {
-    "visibility.visibility", "visibility.depth", "tile_classification.masks", kRadiance, kCommandStatus, kListStatus};
+constexpr const char* kDownloads[] = {"visibility.visibility",
+                                      "visibility.depth",
+                                      "tile_classification.masks",
+                                      kRadiance,
+                                      kCommandStatus,
+                                      kListStatus,
+                                      kClusterCells};
 constexpr uint32_t kLargestSide = 16384;  // that every Vulkan 1.3 device renders to, lavapipe included
 
 struct Prepared {

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <map>
 
+#include "harness/formats/cluster_lists.h"
 #include "harness/formats/debug_view.h"
 #include "harness/formats/pixel_commands.h"
 #include "harness/formats/visibility.h"
@@ -160,6 +161,32 @@ std::vector<Row> wave_rows(const Looking& l) {
   return rows;
 }
 
+// Heat by doublings of items, of all cells.
+std::vector<Row> cluster_rows(const Looking& l) {
+  const auto heat = l.palette.input<uint32_t>("heat_colours");
+  const auto cells = l.words<uvec2>(kClusterCells);
+  std::map<uint32_t, uint64_t> cells_of_heat;
+  uint32_t most = 0;
+  for (const uvec2 cell : cells) {
+    const uint32_t items = (cell.y & kClusterItemMask) + (cell.y >> kClusterDecalShift & kClusterItemMask) +
+                           (cell.y >> kClusterProbeShift);
+    ++cells_of_heat[static_cast<uint32_t>(std::bit_width(items))];
+    most = std::max(most, items);
+  }
+  std::vector<Row> rows;
+  for (const auto& [doublings, count] : cells_of_heat) {
+    const uint32_t least = doublings ? 1u << (doublings - 1) : 0;
+    const std::string range = least < 2 ? fmt::format("{}", least) : fmt::format("{} to {}", least, 2 * least - 1);
+    rows.push_back({heat[doublings],
+                    fmt::format("{} item{}, {} of {} cells", range, least == 1 ? "" : "s", l.share(count, cells.size()),
+                                cells.size()),
+                    ~uint64_t{0} - doublings});
+  }
+  rows.push_back({0x808080, fmt::format("at most {} items in a cell", most), 1});
+  add_nothing_row(l, l.visibility(), rows);
+  return rows;
+}
+
 std::vector<Row> lit_rows(const Looking& l) {
   std::vector<Row> rows = {
       {0xffffff,
@@ -237,6 +264,8 @@ std::vector<Row> rows_of(const Looking& l, uint32_t view) {
       return shader_rows(l);
     case kViewWave:
       return wave_rows(l);
+    case kViewClusters:
+      return cluster_rows(l);
     default:
       return lit_rows(l);
   }

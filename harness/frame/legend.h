@@ -6,6 +6,7 @@
 
 namespace assay::frame {
 
+inline constexpr const char* kClusterCells = "cluster_lists.cells";
 inline constexpr const char* kCommandStatus = "pixel_commands.status";
 
 // `palette` is the case of the kernel that made the picture: its colour ports are what was drawn with.

@@ -1,6 +1,7 @@
 #include "kernels/cluster_lists/inputs.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace assay::cluster_lists {
 
@@ -216,17 +217,33 @@ std::vector<HardCase> hard_cases() {
   };
 }
 
+// That all cells ask for.
+uint32_t entries_of(const Grid& g) {
+  uint32_t entries = 0;
+  for (uint32_t cell = 0; cell < g.cells; ++cell) {
+    uint32_t longest = 0;
+    for (uint32_t kind = 0; kind < 3; ++kind) {
+      uint32_t items = 0;
+      for (uint32_t w = 0; w < g.words(kind); ++w)
+        items += static_cast<uint32_t>(std::popcount(g.bits[kind][size_t{w} * g.cells + cell]));
+      longest = std::max(longest, items);
+    }
+    entries += longest;
+  }
+  return entries;
+}
+
 }  // namespace
 
 Case typical(Extent e) {
   const uint32_t n = e.width >= 1920 ? 4096 : 256;
   Grid g(n, n, n / 16, e.width >= 3840 ? 120 * 68 * 24 : 16 * 8 * 24);
-  g.capacity = std::min(g.cells * kMaxClusterEntries, kMostEntries);
   Pcg32 rng(0x1157);
   for (uint32_t cell = 0; cell < g.cells; ++cell)
     for (uint32_t kind = 0; kind < 3; ++kind)
       for (uint32_t i = 0, first = cell / 16 * 8 % n; i < 64; ++i)
         if (rng.below(8) == 0) g.set(kind, cell, (first + i) % g.items(kind));
+  g.capacity = entries_of(g);
   Case c = g.to_case("typical");
   c.extent = e;
   return c;

@@ -89,8 +89,10 @@ Case random_case(Random& r) {
                                 {"view_workload", 2},
                                 {"view_shader", 1},
                                 {"view_wave", 1},
+                                {"view_clusters", 1},
                                 {"view_unknown", 0.2}});
-  const uint32_t views[] = {kViewMaterial, kViewTriangle, kViewTile, kViewWorkload, kViewShader, kViewWave, 77};
+  const uint32_t views[] = {kViewMaterial, kViewTriangle, kViewTile,     kViewWorkload,
+                            kViewShader,   kViewWave,     kViewClusters, 77};
   Picture p = empty_picture(extent, views[view], 1 + r.rng.below(200), 1 + r.rng.below(40));
   for (uint32_t& c : p.material_colours) c = r.rng.next();
   for (uint32_t& m : p.masks) m = r.rng.below(5) ? r.rng.next() & r.rng.next() & r.rng.next() : 0;
@@ -112,6 +114,7 @@ Case random_case(Random& r) {
   }
   if (p.view == kViewShader) add_slots(p, r.rng, 1 + r.rng.below(kShaderClasses));
   if (p.view == kViewWave) add_waves(p, r.rng, 1 + r.rng.below(kShaderClasses));
+  if (p.view == kViewClusters) add_cells(p, r.rng, 1u << r.rng.below(9));
   Case c = to_case(p);
   c.name = "random";
   return c;
@@ -120,8 +123,8 @@ Case random_case(Random& r) {
 std::vector<std::string> branches() {
   std::vector<std::string> all = kExtentBranches;
   for (const char* b :
-       {"view_material", "view_triangle", "view_tile", "view_workload", "view_shader", "view_wave", "view_unknown",
-        "indices_in_range", "indices_out_of_range", "lists_none", "lists_partition", "lists_hostile"})
+       {"view_material", "view_triangle", "view_tile", "view_workload", "view_shader", "view_wave", "view_clusters",
+        "view_unknown", "indices_in_range", "indices_out_of_range", "lists_none", "lists_partition", "lists_hostile"})
     all.push_back(b);
   return all;
 }
@@ -240,6 +243,24 @@ std::vector<HardCase> hard_cases() {
          p.waves = wave_lists(p.extent, 1, pixels, rng);
          return to_case(p);
        }},
+      {"cells", "none, one, three and more items of each kind and of all; depths on the slices' boundaries",
+       [] {
+         Picture p = busy_picture({100, 90}, kViewClusters);
+         Pcg32 rng(6);
+         add_cells(p, rng, 3);
+         return to_case(p);
+       }},
+      {"full_cells", "256, 256 and 255 items: the hottest colour",
+       [] {
+         Picture p = busy_picture({70, 50}, kViewClusters);
+         Pcg32 rng(7);
+         add_cells(p, rng, 256);
+         return to_case(p);
+       }},
+      {"no_cells", "the clusters view of a grid without cells",
+       [] {
+         return to_case(busy_picture({33, 31}, kViewClusters));
+       }},
       {"no_shader", "the shader and wave views of a scene without any",
        [] {
          Picture p = busy_picture({33, 31}, kViewWave);
@@ -300,7 +321,7 @@ Case in_frame(const FrameInputs& f) {
   Case c = {.name = "frame", .extent = f.extent};
   const auto rows = static_cast<uint32_t>(std::size(kFrameWorkloads));
   c.set_params(ViewParams{f.extent.width, f.extent.height, f.view, f.scene.surfaces, f.scene.materials, rows,
-                          static_cast<uint32_t>(f.shaders.size())});
+                          static_cast<uint32_t>(f.shaders.size()), f.grid});
   std::vector<uint32_t> shader_colours;
   for (const uint32_t shader : f.shaders) shader_colours.push_back(shader_palette(kShaderClasses)[shader]);
   c.set_input("shader_colours", shader_colours);

@@ -10,15 +10,23 @@ Groups per_pixel(const Case& c) { return {ceil_div(c.extent.width, 16), ceil_div
 Groups none() { return {0, 0, 0}; }
 uint32_t view_of(const Case& c) { return c.params<ViewParams>().view; }
 // The views that need more than the visibility have a pass of their own, and its inputs are bound for that view alone.
-bool has_own_pass(const Case& c) { return view_of(c) == kViewTile || view_of(c) == kViewShader; }
+bool has_own_pass(const Case& c) {
+  return view_of(c) == kViewTile || view_of(c) == kViewShader || view_of(c) == kViewClusters;
+}
 Groups for_tiles(const Case& c) { return view_of(c) == kViewTile ? per_pixel(c) : none(); }
 Groups for_shaders(const Case& c) { return view_of(c) == kViewShader ? per_pixel(c) : none(); }
+Groups for_clusters(const Case& c) { return view_of(c) == kViewClusters ? per_pixel(c) : none(); }
 Groups per_run(const Case& c) { return {ceil_div(c.extent.width, 16 * kRunPixels), ceil_div(c.extent.height, 16), 1}; }
 uint64_t surfaces(const Case& c) { return c.params<ViewParams>().surfaces; }
 uint64_t materials(const Case& c) { return c.params<ViewParams>().materials; }
 uint64_t list_entries(const Case& c) { return tiles(c) * workloads(c); }
 uint64_t shown_workloads(const Case& c) { return view_of(c) == kViewWorkload ? workloads(c) : 0; }
 uint64_t shaders(const Case& c) { return c.params<ViewParams>().shaders; }
+uint64_t shown_cells(const Case& c) {
+  const ClusterGrid g = c.params<ViewParams>().grid;
+  return view_of(c) == kViewClusters ? uint64_t{g.columns} * g.rows * g.slices : 0;
+}
+uint64_t slice_edges(const Case& c) { return uint64_t{c.params<ViewParams>().grid.slices} + 1; }
 uint64_t shown_slots(const Case& c) { return view_of(c) == kViewShader ? surfaces(c) : 0; }
 uint64_t shown_rows(const Case& c) { return view_of(c) == kViewWave ? command_rows(shaders(c)) : 0; }
 uint64_t waves(const Case& c) { return view_of(c) == kViewWave ? command_waves(c.extent, shaders(c)) : 0; }
@@ -32,6 +40,9 @@ uint64_t bytes_of_view(const Case& c) {
       return scene + (tiles(c) + kHeatColours) * sizeof(uint32_t);
     case kViewShader:
       return shown_slots(c) * sizeof(SurfaceSlot) + shaders(c) * sizeof(uint32_t);
+    case kViewClusters:
+      return scene + pixels(c) * sizeof(float) + shown_cells(c) * sizeof(uvec2) +
+             (slice_edges(c) + kHeatColours) * sizeof(uint32_t);
     case kViewWorkload:
       return scene + list_entries(c) * sizeof(uint32_t) +
              workloads(c) * (sizeof(WorkloadCount) + sizeof(DispatchArgs) + sizeof(uint32_t));
@@ -53,7 +64,9 @@ Cost cost(const Case& c) {
 std::vector<Pass> passes(const char* shader, Groups (*groups)(const Case&)) {
   return {
       Dispatch{.shader = shader, .groups = [groups](const Case& c) { return has_own_pass(c) ? none() : groups(c); }},
-      Dispatch{.shader = "tile.comp", .groups = for_tiles}, Dispatch{.shader = "shader.comp", .groups = for_shaders},
+      Dispatch{.shader = "tile.comp", .groups = for_tiles},
+      Dispatch{.shader = "shader.comp", .groups = for_shaders},
+      Dispatch{.shader = "clusters.comp", .groups = for_clusters},
       Dispatch{.shader = "workload.comp", .indirect = "workload_args", .repeat = shown_workloads},
       Dispatch{.shader = "wave.comp", .indirect = "command_args", .repeat = shown_rows}};
 }
@@ -80,7 +93,9 @@ Kernel describe() {
                 reads<uint32_t>("commands", waves, {"pixel_commands.commands"}),
                 reads<CommandRow>("command_rows", shown_rows, {"pixel_commands.command_rows"}),
                 reads<DispatchArgs>("command_args", shown_rows, {"pixel_commands.args"}),
-                writes<uint32_t>("image", pixels)},
+                reads_image("depth", Format::d32_float, {"visibility.depth"}),
+                reads<uvec2>("cells", shown_cells, {"cluster_lists.cells"}),
+                reads<float>("slice_edges", slice_edges, {"scene.slice_edges"}), writes<uint32_t>("image", pixels)},
       .variants = {{.name = "pixel", .passes = passes("pixel.comp", per_pixel), .note = "a thread a pixel"},
                    {.name = "run",
                     .passes = passes("run.comp", per_run),
@@ -108,7 +123,9 @@ Kernel describe() {
                   {"shader.comp", 16, "> for >= : one slot too many", "slots"},
                   {"wave.comp", 17, "columns beyond the right edge are painted", "waves_off_screen"},
                   {"wave.comp", 18, "the rows' waves share their colours", "waves"},
-                  {"wave.comp", 19, "a colour a workgroup", "waves"}},
+                  {"wave.comp", 19, "a colour a workgroup", "waves"},
+                  {"clusters.comp", 20, "one item is none", "cells"},
+                  {"clusters.comp", 21, "lights alone are counted", "cells"}},
       .cost = cost,
       .typical = typical,
       .extents = {{256, 256}, {1280, 720}, {1920, 1080}, {3840, 2160}},

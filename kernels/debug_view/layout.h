@@ -1,6 +1,7 @@
 // Colours are RGBA8 packed into a uint, red in the lowest byte. The views are in harness/formats/debug_view.h.
 #ifndef DEBUG_VIEW_LAYOUT_H
 #define DEBUG_VIEW_LAYOUT_H
+#include "harness/formats/clusters.h"
 #include "harness/formats/debug_view.h"
 #include "harness/formats/features.h"
 #include "harness/formats/pixel_commands.h"
@@ -13,11 +14,12 @@ SHARED_BEGIN(debug_view)
 struct ViewParams {
   uint width;  // pixels
   uint height;
-  uint view;       // kView...; any other shows materials
-  uint surfaces;   // an index at or above it is shown as kBrokenColour
-  uint materials;  // likewise
-  uint workloads;  // rows of the tile workload table
-  uint shaders;    // visible shader classes; a slot at or above it is shown as kBrokenColour
+  uint view;         // kView...; any other shows materials
+  uint surfaces;     // an index at or above it is shown as kBrokenColour
+  uint materials;    // likewise
+  uint workloads;    // rows of the tile workload table
+  uint shaders;      // visible shader classes; a slot at or above it is shown as kBrokenColour
+  ClusterGrid grid;  // of the clusters view
 };
 
 SHARED_CONST uint kBackgroundColour = 0xff302820u;  // no surface: a dark blue grey
@@ -29,7 +31,7 @@ SHARED_CONST uint kChipFirst = 3u;
 SHARED_CONST uint kChipEnd = 9u;
 
 #ifdef __cplusplus
-SHARED_LAYOUT(ViewParams, width, height, view, surfaces, materials, workloads, shaders);
+SHARED_LAYOUT(ViewParams, width, height, view, surfaces, materials, workloads, shaders, grid);
 #endif
 SHARED_END
 #endif

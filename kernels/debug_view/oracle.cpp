@@ -52,9 +52,10 @@ struct View {
   std::span<const uint32_t> heat_colours = of_tiles("heat_colours"), masks = of_tiles("masks");
   uint32_t across = ceil_div(params.width, kTileSide);
 
-  // In the frame only the tile view has them.
+  // In the frame only the tile view has them, and the clusters view the colours.
   std::span<const uint32_t> of_tiles(const char* port) const {
-    return params.view == kViewTile ? c.input<uint32_t>(port) : std::span<const uint32_t>();
+    const bool has = params.view == kViewTile || (params.view == kViewClusters && port == std::string("heat_colours"));
+    return has ? c.input<uint32_t>(port) : std::span<const uint32_t>();
   }
 
   static bool nothing(uvec2 v) { return v.x == kVisibilityNone && v.y == kVisibilityNone; }
@@ -93,11 +94,26 @@ struct View {
     return unpacked(colours[slots[surface].shader]);
   }
 
+  Colour cluster(uint32_t x, uint32_t y, uvec2 v) const {
+    const ClusterGrid& g = params.grid;
+    if (nothing(v) || g.columns == 0 || g.rows == 0) return over(grey(v), unpacked(kBackgroundColour), 1);
+    if (x % g.cell_width == 0 || y % g.cell_height == 0) return over(grey(v), {0, 0, 0}, 1);
+    const auto edges = c.input<float>("slice_edges");
+    const float d = c.input<float>("depth")[size_t{y} * params.width + x];
+    uint32_t slice = 0;
+    while (slice + 1 < g.slices && d <= edges[slice + 1]) ++slice;
+    const uint64_t column = std::min(x / g.cell_width, g.columns - 1), row = std::min(y / g.cell_height, g.rows - 1);
+    const uint32_t counts = c.input<uvec2>("cells")[(slice * uint64_t{g.rows} + row) * g.columns + column].y;
+    const uint32_t items = counts % 4096 + counts / 4096 % 4096 + counts / (1u << 24);
+    return over(grey(v), unpacked(heat_colours[static_cast<size_t>(std::bit_width(items))]), 1);
+  }
+
   Colour at(uint32_t x, uint32_t y) const {
     const uvec2 v = visibility[size_t{y} * params.width + x];
     if (params.view == kViewTriangle) return triangle(v);
     if (params.view == kViewTile) return tile(x, y, v);
     if (params.view == kViewShader) return shader(v);
+    if (params.view == kViewClusters) return cluster(x, y, v);
     if (params.view == kViewWorkload || params.view == kViewWave) return over(grey(v), unpacked(kBackgroundColour), 1);
     return material(v);
   }

@@ -1,8 +1,11 @@
 #include "kernels/debug_view/picture.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "harness/clusters.h"
 #include "harness/commands.h"
+#include "harness/formats/cluster_lists.h"
 #include "harness/groups.h"
 #include "kernels/debug_view/palette.h"
 
@@ -56,11 +59,23 @@ WaveLists wave_lists(Extent extent, uint32_t shaders, std::span<const uvec2> pix
   return w;
 }
 
+void add_cells(Picture& p, Pcg32& rng, uint32_t most) {
+  p.grid = grid_over(p.extent, {12, 20}, 5);
+  p.slice_edges = reversed_slice_edges(slice_edges(0.5, 60, p.grid.slices), 0.1f);
+  for (uint32_t i = p.grid.columns * p.grid.rows * p.grid.slices; i > 0; --i) {
+    const auto some = [&](uint32_t room) { return rng.below(3) ? rng.below(std::min(most, room) + 1) : 0; };
+    p.cells.emplace_back(rng.next(), some(256) | some(256) << kClusterDecalShift | some(255) << kClusterProbeShift);
+  }
+  for (size_t i = 0; i < p.visibility.size(); ++i)
+    p.depth.push_back(rng.below(4) ? static_cast<float>(0.1 / std::pow(10, rng.range(-1, 2.5)))
+                                   : p.slice_edges[rng.below(p.grid.slices)]);
+}
+
 Case to_case(const Picture& p) {
   Case c = {.extent = p.extent};
   c.set_params(ViewParams{p.extent.width, p.extent.height, p.view, static_cast<uint32_t>(p.surface_materials.size()),
                           static_cast<uint32_t>(p.material_colours.size()), static_cast<uint32_t>(p.lists.size()),
-                          static_cast<uint32_t>(p.shader_colours.size())});
+                          static_cast<uint32_t>(p.shader_colours.size()), p.grid});
   std::vector<SurfaceRecord> surfaces(p.surface_materials.size());
   for (size_t i = 0; i < surfaces.size(); ++i) surfaces[i].material = p.surface_materials[i];
   std::vector<uint32_t> tiles, colours;
@@ -89,6 +104,9 @@ Case to_case(const Picture& p) {
   c.set_input("commands", p.waves.commands);
   c.set_input("command_rows", p.waves.rows);
   c.set_input("command_args", p.waves.args);
+  c.set_input("depth", p.depth.empty() ? std::vector<float>(pixel_count(p.extent)) : p.depth);
+  c.set_input("cells", p.cells);
+  c.set_input("slice_edges", p.slice_edges.empty() ? std::vector<float>{0} : p.slice_edges);
   return c;
 }
 

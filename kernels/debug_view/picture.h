@@ -29,6 +29,10 @@ struct Picture {
   std::vector<SurfaceSlot> slots = {};  // of the surfaces; of the shader view alone
   std::vector<uint32_t> shader_colours = {};
   WaveLists waves = {};  // of the wave view alone
+  // Of the clusters view alone.
+  ClusterGrid grid = {};
+  std::vector<float> depth = {}, slice_edges = {};
+  std::vector<uvec2> cells = {};
 
   uvec2& at(uint32_t x, uint32_t y) { return visibility[size_t{y} * extent.width + x]; }
   uint32_t tile_total() const { return static_cast<uint32_t>(tile_count(extent, kTileSide)); }
@@ -42,6 +46,8 @@ Picture busy_picture(Extent, uint32_t view);
 List list_of(std::vector<uint32_t> tiles, uint32_t colour, uint32_t groups_per_tile = 32);
 // The pixels, each once, dealt out to rows of `shaders` slots: waves of all buckets, filled in part, and an overflow.
 WaveLists wave_lists(Extent, uint32_t shaders, std::span<const uvec2> pixels, Pcg32&);
+// Depths over all of 5 slices, and cells of 12 x 20 pixels of up to `most` items of each kind.
+void add_cells(Picture&, Pcg32&, uint32_t most);
 Case to_case(const Picture&);
 
 }  // namespace assay::debug_view

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "kernels/deferred_lighting/inputs.h"
 #include "kernels/deferred_lighting/layout.h"
 #include "kernels/deferred_lighting/oracle.h"
@@ -14,11 +16,12 @@ uint64_t cells(const Case& c) {
 uint64_t entries(const Case& c) { return c.params<LightingParams>().entries; }
 uint64_t slice_edges(const Case& c) { return uint64_t{c.params<LightingParams>().grid.slices} + 1; }
 
-// Operations of a light at a pixel: 150 in common, as the shader counts them.
+// Operations of a light at a pixel: 150 in common, as the shader counts them; of as many lights as a cell lists.
 Cost cost(const Case& c) {
-  return {.bytes_read = pixels(c) * (4 + 4 + 4 + 2 + 4 + 4) + lights(c) * sizeof(LightRecord),
+  return {.bytes_read = pixels(c) * (4 + 4 + 4 + 2 + 4 + 4) + lights(c) * sizeof(LightRecord) +
+                        cells(c) * sizeof(uvec2) + entries(c) * sizeof(uint) + slice_edges(c) * sizeof(float),
           .bytes_written = pixels(c) * 8,
-          .operations = pixels(c) * (60 + 150 * lights(c))};
+          .operations = pixels(c) * (60 + 150 * entries(c) / std::max<uint64_t>(cells(c), 1))};
 }
 
 // Both producers of a channel of the G-buffer; the update, where there is one, made the latest version.
