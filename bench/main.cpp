@@ -27,7 +27,7 @@ const check::Prepared& prepared_for(Context& context, const report::Entry& e) {
   const bool kept =
       context.kernel == e.kernel && context.extent.width == e.extent.width && context.extent.height == e.extent.height;
   if (!kept) {
-    context.prepared = check::prepare(*e.kernel, e.kernel->typical(e.extent), device::info(*context.device).traits);
+    context.prepared = check::prepare(*e.kernel, report::input_of(e), device::info(*context.device).traits);
     context.kernel = e.kernel;
     context.extent = e.extent;
   }

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 struct Flags {
   Common common;
-  std::vector<std::string> kernels, sizes;
+  std::vector<std::string> kernels, sizes, cases;
   std::string variant, markdown, runs = "out/runs";
   bool defaults = false, all_sizes = false;
   uint32_t samples = 20;
@@ -39,8 +39,11 @@ int run(Flags& f) {
   report::Selection selection{.kernels = chosen_kernels(f.kernels),
                               .variant = f.variant,
                               .defaults_only = f.defaults,
-                              .all_extents = f.all_sizes};
+                              .all_extents = f.all_sizes,
+                              .cases = f.cases,
+                              .fixtures = fixtures_folder()};
   must_have_variant(selection.kernels, f.variant);
+  for (const auto& name : f.cases) must_have_case(selection.kernels, name);
   for (const auto& s : f.sizes) selection.extents.push_back(parse_size(s));
   const std::string record = f.runs == "none" ? "" : record_file(f);
   for (const auto& file : {f.common.json, f.markdown, record}) probe_writable(file);
@@ -100,6 +103,9 @@ void add_bench(CLI::App& app, Action& action) {
   command->add_flag("--defaults", f->defaults, "Only each kernel's default variant");
   command->add_option("--size", f->sizes, "Repeatable; the kernel's first size by default")
       ->type_name("WxH")
+      ->allow_extra_args(false);
+  command->add_option("--case", f->cases, "Repeatable; this hard case or case file in place of sizes")
+      ->type_name("NAME")
       ->allow_extra_args(false);
   command->add_flag("--all-sizes", f->all_sizes, "Every size that the kernel lists");
   command->add_option("--samples", f->samples, "Samples of a variant, each long enough for the device's clock")

@@ -20,24 +20,6 @@ struct Flags {
   uint64_t seed = 0;
 };
 
-// The case must be one of some chosen kernel; a file must be readable and for one of them.
-void must_have_case(const std::vector<const Kernel*>& kernels, const check::Options& o) {
-  if (o.case_name.empty()) return;
-  std::vector<std::string> there;
-  for (const Kernel* k : kernels) {
-    const auto found = check::cases_named(*k, o.fixtures, o.case_name);
-    if (!found.empty()) {
-      if (check::is_case_path(o.case_name)) found.front().make();  // a broken file is told before anything runs
-      return;
-    }
-    for (const auto& c : check::hard_cases(*k, o.fixtures, true)) there.push_back(c.name);
-  }
-  if (check::is_case_path(o.case_name))
-    throw Unusable(fmt::format("{}: a case of {}, which is not among the kernels asked for", o.case_name,
-                               check::kernel_of_case(o.case_name)));
-  throw Unusable(fmt::format("no case '{}'{}", o.case_name, did_you_mean(o.case_name, there)));
-}
-
 std::string verdict_text(const check::VariantResult& v) {
   if (!v.skipped.empty()) return "skipped: " + v.skipped;
   std::string text = v.violations == 0 ? "ok" : fmt::format("{} VIOLATIONS", v.violations);
@@ -77,7 +59,7 @@ void print(const check::KernelResult& k) {
 int run(Flags& f) {
   const auto kernels = chosen_kernels(f.options.kernels);
   must_have_variant(kernels, f.options.variant);
-  must_have_case(kernels, f.options);
+  if (!f.options.case_name.empty()) must_have_case(kernels, f.options.case_name);
   probe_writable(f.common.json);
   auto d = open_device(f.common);
   report::Progress progress;

@@ -9,6 +9,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "harness/check/cases.h"
 #include "harness/nearest.h"
 
 namespace assay::cli {
@@ -103,6 +104,22 @@ std::vector<const Kernel*> chosen_kernels(const std::vector<std::string>& names)
   if (names.empty())
     for (const Kernel& k : all_kernels()) chosen.push_back(&k);
   return chosen;
+}
+
+void must_have_case(const std::vector<const Kernel*>& kernels, const std::string& name) {
+  std::vector<std::string> there;
+  for (const Kernel* k : kernels) {
+    const auto found = check::cases_named(*k, fixtures_folder(), name);
+    if (!found.empty()) {
+      if (check::is_case_path(name)) found.front().make();  // a broken file is told before anything runs
+      return;
+    }
+    for (const auto& c : check::hard_cases(*k, fixtures_folder(), true)) there.push_back(c.name);
+  }
+  if (check::is_case_path(name))
+    throw Unusable(
+        fmt::format("{}: a case of {}, which is not among the kernels asked for", name, check::kernel_of_case(name)));
+  throw Unusable(fmt::format("no case '{}'{}", name, did_you_mean(name, there)));
 }
 
 void must_have_variant(const std::vector<const Kernel*>& kernels, const std::string& variant) {

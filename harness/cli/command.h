@@ -56,6 +56,8 @@ void write_json(const Common&, const nlohmann::ordered_json&);      // where --j
 // Names checked against what there is; unknown ones throw Unusable with the nearest.
 std::vector<const Kernel*> chosen_kernels(const std::vector<std::string>& names);
 void must_have_variant(const std::vector<const Kernel*>&, const std::string& variant);
+// The case must be one of some chosen kernel; a file must be readable and for one of them.
+void must_have_case(const std::vector<const Kernel*>&, const std::string& name);
 Extent parse_size(const std::string& text);  // "1280x720", 1 to 16384 a side
 
 // Fixtures lie beside the programs' folder, in a checkout as in an installed copy.

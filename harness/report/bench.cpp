@@ -39,30 +39,50 @@ void time_row(device::Device& d, Run& run, Row& row, const Case& c, uint32_t cou
   row.limit_ns = limit_ns(run.yardsticks, row.copy, row.cost, row.dispatches);
 }
 
-// Errors are of inputs of their own, the same at every extent that is timed.
-bool is_first_extent(const std::vector<Entry>& entries, const Entry& e) {
-  const auto first = std::ranges::find(entries, e.kernel, &Entry::kernel);
-  return first->extent.width == e.extent.width && first->extent.height == e.extent.height;
+// Errors are of inputs of their own, the same at every extent that is timed; who names a case asks for its time alone.
+bool has_errors(const std::vector<Entry>& entries, const Entry& e) {
+  return !e.named && same_input(*std::ranges::find(entries, e.kernel, &Entry::kernel), e);
 }
 
-bool same_input(const Entry& a, const Entry& b) {
-  return a.kernel == b.kernel && a.extent.width == b.extent.width && a.extent.height == b.extent.height;
+// Of one kernel, variants aside.
+std::vector<Entry> inputs_of(const Selection& s, const Kernel& k) {
+  std::vector<Entry> inputs;
+  for (const std::string& name : s.cases)
+    for (check::NamedCase& c : check::cases_named(k, s.fixtures, name)) {
+      const Extent extent = c.make().extent;
+      inputs.push_back({.kernel = &k, .extent = extent, .named = std::move(c)});
+    }
+  if (s.cases.empty())
+    for (const Extent extent : extents_of(s, k)) inputs.push_back({.kernel = &k, .extent = extent});
+  return inputs;
 }
 
 }  // namespace
+
+Case input_of(const Entry& e) {
+  if (!e.named) return e.kernel->typical(e.extent);
+  Case c = e.named->make();
+  c.name = e.named->name;
+  return c;
+}
+
+bool same_input(const Entry& a, const Entry& b) {
+  return a.kernel == b.kernel && a.extent.width == b.extent.width && a.extent.height == b.extent.height &&
+         (a.named ? a.named->name : "") == (b.named ? b.named->name : "");
+}
 
 std::string label_of(const Entry& e) { return device::label_of(*e.variant, e.constants); }
 
 std::vector<Entry> entries_of(const Selection& s) {
   std::vector<Entry> entries;
   for (const Kernel* k : s.kernels)
-    for (const Extent extent : extents_of(s, *k))
+    for (const Entry& input : inputs_of(s, *k))
       for (const Variant& v : k->variants) {
         const auto combinations = device::combinations(v);
         for (const auto& constants : combinations) {
           const bool is_default = v.name == k->default_variant && &constants == &combinations.front();
           if (wanted(s, v, constants) && (is_default || !s.defaults_only))
-            entries.push_back({k, &v, constants, extent, is_default});
+            entries.push_back({k, &v, constants, input.extent, input.named, is_default});
         }
       }
   return entries;
@@ -105,13 +125,13 @@ Run bench(device::Device& d, const std::vector<Entry>& entries, uint32_t count, 
     const Entry& e = entries[i];
     tell(e.kernel->name + " " + label_of(e), i + 1, entries.size() + 1);
     if (i == 0 || !same_input(e, entries[i - 1]))
-      prepared = check::prepare(*e.kernel, e.kernel->typical(e.extent), device::info(d).traits);
+      prepared = check::prepare(*e.kernel, input_of(e), device::info(d).traits);
     Row row{.entry = e, .case_name = prepared.input.name};
     row.verified = verify(d, e, prepared);
     row.cost = e.kernel->cost(prepared.input);
     if (row.verified.refused.empty()) time_row(d, run, row, prepared.input, count);
     run.rows.push_back(std::move(row));
-    if (is_first_extent(entries, e)) {
+    if (has_errors(entries, e)) {
       auto errors = measure_errors(d, *e.kernel, *e.variant, e.constants);
       run.errors.insert(run.errors.end(), std::make_move_iterator(errors.begin()),
                         std::make_move_iterator(errors.end()));

@@ -1,10 +1,12 @@
 // Times variants, each verified against the oracle in the same run, and sets their speed beside their error.
 #pragma once
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "harness/check/cases.h"
 #include "harness/check/check.h"
 #include "harness/check/run_case.h"
 #include "harness/report/errors.h"
@@ -13,22 +15,27 @@
 
 namespace assay::report {
 
-// One variant with its constants at one extent.
+// One variant with its constants on one input: the kernel's typical one at an extent, or a named case.
 struct Entry {
   const Kernel* kernel = nullptr;
   const Variant* variant = nullptr;
   std::map<std::string, uint32_t> constants;
   Extent extent;
+  std::optional<check::NamedCase> named = {};
   bool is_default = false;  // the kernel's default variant with its first constants
 };
+Case input_of(const Entry&);
+bool same_input(const Entry&, const Entry&);
 std::string label_of(const Entry&);  // "tile_reduce[PIXELS_PER_THREAD=4]"
 
 struct Selection {
   std::vector<const Kernel*> kernels;
-  std::string variant = {};          // name or label; empty: all
-  bool defaults_only = false;        // each kernel's default variant with its first constants
-  std::vector<Extent> extents = {};  // empty: each kernel's first
-  bool all_extents = false;          // every extent of the kernel
+  std::string variant = {};             // name or label; empty: all
+  bool defaults_only = false;           // each kernel's default variant with its first constants
+  std::vector<Extent> extents = {};     // empty: each kernel's first
+  bool all_extents = false;             // every extent of the kernel
+  std::vector<std::string> cases = {};  // named ones, of the kernels that have them, in place of extents
+  std::filesystem::path fixtures = {};  // where cases may lie too
 };
 std::vector<Entry> entries_of(const Selection&);
 

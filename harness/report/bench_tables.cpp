@@ -10,7 +10,9 @@ namespace assay::report {
 
 namespace {
 
-std::string size_text(Extent e) { return fmt::format("{}x{}", e.width, e.height); }
+std::string input_text(const Entry& e) {
+  return e.named ? e.named->name : fmt::format("{}x{}", e.extent.width, e.extent.height);
+}
 
 // Of a deterministic kernel "0"; else the worst value and how much was allowed.
 std::string error_text(const Row& row) {
@@ -39,11 +41,6 @@ double error_of(const Row& row) {
   return worst ? worst->worst : 0;
 }
 
-bool same_plot(const Row& a, const Row& b) {
-  return a.entry.kernel == b.entry.kernel && a.entry.extent.width == b.entry.extent.width &&
-         a.entry.extent.height == b.entry.extent.height;
-}
-
 // Nothing else is both faster and more accurate, or equal in one and better in the other.
 bool on_front(const Row& row, const std::vector<const Row*>& rivals) {
   return std::ranges::none_of(rivals, [&](const Row* r) {
@@ -64,7 +61,7 @@ Table speed_table(const Run& run, const device::Info& info) {
   for (const Row& row : run.rows) {
     const bool timed = row.verified.refused.empty();
     const double ns = headline_ns(row);
-    std::vector<std::string> cells = {row.entry.kernel->name, label_of(row.entry), size_text(row.entry.extent),
+    std::vector<std::string> cells = {row.entry.kernel->name, label_of(row.entry), input_text(row.entry),
                                       time_text(ns)};
     if (cpu) cells.push_back(time_text(median_cpu_ns(row.cold)));
     cells.push_back(time_text(median_gpu_ns(row.hot)));
@@ -93,7 +90,7 @@ Table speed_against_error_table(const Run& run) {
   for (const Row& row : run.rows)
     if (row.verified.refused.empty()) rows.push_back(&row);
   for (auto from = rows.begin(); from != rows.end();) {
-    const auto to = std::find_if(from, rows.end(), [&](const Row* r) { return !same_plot(**from, *r); });
+    const auto to = std::find_if(from, rows.end(), [&](const Row* r) { return !same_input((*from)->entry, r->entry); });
     std::vector<const Row*> plot(from, to);
     std::ranges::stable_sort(plot, {}, [](const Row* r) { return headline_ns(*r); });
     for (const Row* r : plot) {
@@ -101,9 +98,9 @@ Table speed_against_error_table(const Run& run) {
       std::string marks = on_front(*r, plot) ? "front" : "";
       if (r->entry.is_default) marks += marks.empty() ? "default" : ", default";
       if (r->entry.variant->baseline) marks += (marks.empty() ? "" : ", ") + baseline_text(*r);
-      t.rows.push_back({r->entry.kernel->name, size_text(r->entry.extent), label_of(r->entry),
-                        time_text(headline_ns(*r)), percent_text(share_of_limit(*r)), bytes_text(bytes_of(*r)),
-                        error_text(*r), fmt::format("{} of {}", v.undecided, v.judged), marks});
+      t.rows.push_back({r->entry.kernel->name, input_text(r->entry), label_of(r->entry), time_text(headline_ns(*r)),
+                        percent_text(share_of_limit(*r)), bytes_text(bytes_of(*r)), error_text(*r),
+                        fmt::format("{} of {}", v.undecided, v.judged), marks});
     }
     from = to;
   }

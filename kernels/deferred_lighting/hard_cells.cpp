@@ -75,6 +75,20 @@ Case no_cells() {
   return c;
 }
 
+// 640x360 pixels in cells of `cell` pixels, with 48 of 512 lights each; neighbours share half of them. For timing: a wave of 32
+// lanes is 8x4 pixels.
+std::function<Case()> walked(Extent cell) {
+  return [=] {
+    Picture p = under_suns({640, 360}, 512);
+    add_cells(p, cell, {0, 1e6f}, [](uint32_t i) {
+      Lights some(48);
+      std::iota(some.begin(), some.end(), i * 24 % 464);
+      return some;
+    });
+    return to_case("", p);
+  };
+}
+
 }  // namespace
 
 std::vector<HardCase> cell_cases() {
@@ -95,6 +109,10 @@ std::vector<HardCase> cell_cases() {
       {"empty_lists", "lights, but none in any cell",
        of_cells({33, 33}, 9, {16, 16}, [](uint32_t) { return Lights(); })},
       {"depths_on_slices", "depths on each boundary of 24 slices, one float before and behind", on_slices},
+      {"one_cell_a_wave", "48 lights a pixel, the waves within one cell: for timing", walked({32, 32}), true},
+      {"four_cells_a_wave", "the same in cells of 4x2 pixels", walked({4, 2}), true},
+      {"many_cells_a_wave", "the same in cells of a pixel: each lane has its own, up to 64 a wave", walked({1, 1}),
+       true},
       {"hostile_lists", "lists past the last entry, lights past the last, twice, and out of order", hostile_lists},
       {"no_cells", "a grid without cells: nothing is listed", no_cells},
   };
