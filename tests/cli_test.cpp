@@ -114,7 +114,9 @@ TEST(Cli, WrongFlagsAndNamesAreOneLine) {
       {"bench {kernel} --size 64", "64"},
       {"bench {kernel} --size 64x64x64", "64x64x64"},
       {"bench {kernel} --samples 0", "samples"},
+      {"bench {kernel} --case no_such_case", "no case 'no_such_case'; did you mean"},
       {"frame --view nothing", "nothing"},
+      {"frame --clusters some", "some"},
       {"frame --size axb", "axb"},
       {"frame --camera 1,2,3", "1,2,3"},
       {"frame --camera 0,0,0,0,0,0", "camera"},
@@ -136,7 +138,9 @@ TEST(Cli, MissingAndBrokenFilesAreOneLine) {
                     empty_case = folder.with("empty.case", "");
   const std::string not_json = folder.with("a.gltf", "not a scene"), not_glb = folder.with("b.glb", "glTF\1\2\3");
   for (const auto& file : {folder.file("missing.case"), broken_case, empty_case})
-    expect_one_line(fmt::format("check {} --case {}", first_kernel(), file), fs::path(file).filename().string());
+    for (const char* command : {"check", "bench"})
+      expect_one_line(fmt::format("{} {} --case {}", command, first_kernel(), file),
+                      fs::path(file).filename().string());
   for (const auto& file : {folder.file("missing.gltf"), folder.file("missing.glb"), not_json, not_glb})
     expect_one_line("frame --scene " + file, fs::path(file).filename().string());
   expect_one_line("frame --scene no_such_scene", "no_such_scene");
