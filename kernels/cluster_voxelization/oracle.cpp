@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "kernels/cluster_voxelization/apart.h"
+#include "kernels/cluster_voxelization/raster.h"
 
 namespace assay::cluster_voxelization {
 
@@ -18,13 +18,6 @@ ItemCounts item_counts(const Case& c) {
 }
 
 namespace {
-
-struct Bits {
-  std::vector<uint> low, high;
-  void set(std::vector<uint>& to, uint item, uint64_t cell, uint64_t cells) {
-    to[item / 32 * cells + cell] |= 1u << item % 32;
-  }
-};
 
 // Calls visit(item, cell index, Item, Cell, x, y, z, in bounds) of each pair that may be in the item's bounds.
 template <class Visit>
@@ -44,15 +37,9 @@ void visit_pairs(const Case& c, uint first, uint count, Visit visit) {
   }
 }
 
-Expected expect_bits(const Bits& bits) {
-  Expected x = expect_all(bits.low);
-  x.high = expect_all(bits.high).low;
-  return x;
-}
-
 void answer_kind(const Case& c, Answer& answer, const std::string& kind, uint first, uint count) {
   const uint64_t cells = grid_of(c).cells(), all = words(count) * cells;
-  Bits two_way{std::vector<uint>(all), std::vector<uint>(all)}, exact = two_way;
+  Bits two_way(all), exact(all);
   visit_pairs(c, first, count,
               [&](uint i, uint64_t at, const Item& item, const Edges& e, uint x, uint y, uint z, bool sure) {
                 const Cell cell = e.cell(x, y, z);
@@ -67,6 +54,7 @@ void answer_kind(const Case& c, Answer& answer, const std::string& kind, uint fi
               });
   answer["two_way_" + kind] = expect_bits(two_way);
   answer["exact_" + kind] = expect_bits(exact);
+  answer_raster(c, answer, kind, first, count, two_way.high);
 }
 
 }  // namespace
