@@ -40,3 +40,13 @@ vec2 interval(ClusterItem item, vec3 m) {
 float magnitudes(ClusterItem item, vec3 m) {
   return dot(abs(m), abs(item.origin) + abs(item.a) + abs(item.b) + abs(item.c));
 }
+
+// Of what lies between slopes x and y, at depth 1, along m, with room for rounding: four roundings of a term, and one
+// of its product with a depth.
+vec2 interval_at_one(vec2 x, vec2 y, vec3 m) {
+  const vec2 along_x = m.x * x, along_y = m.y * y;
+  const vec3 reach = vec3(max(abs(x.x), abs(x.y)), max(abs(y.x), abs(y.y)), 1.0);
+  const float slack = rounding(dot(abs(m), reach));
+  return vec2(min(along_x.x, along_x.y) + min(along_y.x, along_y.y) + m.z - slack,
+              max(along_x.x, along_x.y) + max(along_y.x, along_y.y) + m.z + slack);
+}

@@ -1,4 +1,4 @@
-// Named hard cases, and the faults that they must find.
+// Named hard cases.
 #include <cmath>
 
 #include "kernels/cluster_voxelization/inputs.h"
@@ -205,24 +205,8 @@ std::vector<HardCase> grids() {
 
 std::vector<HardCase> hard_cases() {
   std::vector<HardCase> all = eye();
-  for (auto& more : {touching(), shapes(), grids()}) all.insert(all.end(), more.begin(), more.end());
+  for (auto& more : {touching(), shapes(), grids(), raster_cases()}) all.insert(all.end(), more.begin(), more.end());
   return all;
-}
-
-std::vector<Mutant> mutants() {
-  return {
-      {"common.glsl", 1, "no room for rounding", "through_corners"},
-      {"common.glsl", 2, "the apex of a pyramid is forgotten", "apex_at_the_eye"},
-      {"prepare.comp", 3, "infinities and NaN pass", "not_numbers"},
-      {"prepare.comp", 4, "a column's left edge in place of its right one", "kinds_31_33_1"},
-      {"prepare.comp", 5, "the last slice is left out", "on_a_slice"},
-      {"prepare.comp", 6, "a box has three faces", "small_items"},
-      {"mark.glsl", 7, "the atomic of a cell's word is lost", "one_cell"},
-      {"mark.glsl", 8, "a last word's other bits are other kinds' items", "kinds_31_33_1"},
-      {"mark.glsl", 9, "the barrier before the words are written is dropped", "one_cell"},
-      {"mark.glsl", 11, "a cell has its near end alone", "kinds_31_33_1"},
-      {"mark.glsl", 10, "one of a cell's four edges to the eye is looked at", "long_between_cells"},
-  };
 }
 
 }  // namespace assay::cluster_voxelization

@@ -30,11 +30,13 @@ std::vector<float> Scene::edges() const {
 Case Scene::to_case() const {
   Case c{.extent = {columns, rows}};
   c.set_params(ClusterParams{static_cast<uint>(lights.size()), static_cast<uint>(decals.size()),
-                             static_cast<uint>(probes.size()), columns, rows, slices});
+                             static_cast<uint>(probes.size()), columns, rows, slices, static_cast<float>(near)});
   std::vector<ClusterItem> items = lights;
   for (const auto* more : {&decals, &probes}) items.insert(items.end(), more->begin(), more->end());
   c.set_input("items", items);
   c.set_input("edges", edges());
+  c.set_input("depth_ranges",
+              depth_ranges.empty() ? std::vector<vec2>(size_t{columns} * rows, vec2(0, 1)) : depth_ranges);
   return c;
 }
 
@@ -171,8 +173,31 @@ ClusterItem random_item(Random& r, const Scene& s) {
   }
 }
 
+// A reversed depth that a device may meet, of a distance from the near plane on; some lie on slices.
+float random_depth(Pcg32& rng, const Scene& s, const std::vector<float>& edges) {
+  const double at = s.near * std::pow(s.far / s.near, rng.unit());
+  const double z = rng.below(8) ? at : edges[s.columns + s.rows + 2 + rng.below(s.slices + 1)];
+  return static_cast<float>(s.near / std::max(z, s.near));
+}
+
+void add_depths(Random& r, Scene& s) {
+  const size_t kind = r.branch({{"depths_open", 0.4}, {"depths_of_surfaces", 0.5}, {"depths_odd", 0.1}});
+  if (kind == 0) return;
+  const auto edges = s.edges();
+  constexpr float kOdd[] = {NAN, INFINITY, -INFINITY, -1, 0, 1e-40f, 1e-31f, 3e38f, 2};
+  for (uint i = 0; i < s.columns * s.rows; ++i) {
+    vec2 range(random_depth(r.rng, s, edges), random_depth(r.rng, s, edges));
+    if (range.x > range.y) std::swap(range.x, range.y);
+    if (r.rng.below(8) == 0) range.x = r.rng.below(2) ? 0.0f : range.y;  // background beside it; all at one depth
+    if (r.rng.below(16) == 0) range = vec2(0);
+    if (kind == 2 && r.rng.below(2)) range[static_cast<int>(r.rng.below(2))] = kOdd[r.rng.below(9)];
+    s.depth_ranges.push_back(range);
+  }
+}
+
 Case random_case(Random& r) {
   Scene s = random_grid(r);
+  add_depths(r, s);
   const size_t how_many =
       r.branch({{"items_none", 0.03}, {"items_few", 0.35}, {"items_some", 0.5}, {"items_many", 0.12}});
   const uint most[] = {0, 5, 100, 700};
@@ -220,6 +245,9 @@ Inputs inputs() {
                        "view_odd",
                        "slices_extended",
                        "slices_as_they_are",
+                       "depths_open",
+                       "depths_of_surfaces",
+                       "depths_odd",
                        "items_none",
                        "items_few",
                        "items_some",

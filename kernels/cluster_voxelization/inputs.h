@@ -22,6 +22,8 @@ struct Scene {
   double near = 0.3, far = 300;
   bool extended = true;  // the first slice begins at the eye, the last ends 10^5 m away
   std::vector<ClusterItem> lights = {}, decals = {}, probes = {};
+  // By column and row, least and greatest reversed depth; where empty, from the near plane to infinity.
+  std::vector<vec2> depth_ranges = {};
 
   Case to_case() const;
   std::vector<float> edges() const;
@@ -35,5 +37,6 @@ glm::dmat3 rotation(Pcg32&);
 ClusterItem random_box(Pcg32&, const Scene&, double radius, double aspect);
 ClusterItem random_spot(Pcg32&, const Scene&, double radius, double half_angle_deg);
 std::vector<HardCase> hard_cases();
+std::vector<HardCase> raster_cases();
 
 }  // namespace assay::cluster_voxelization

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "kernels/cluster_voxelization/inputs.h"
 
 namespace assay::cluster_voxelization {
@@ -11,14 +13,20 @@ namespace {
 uint64_t items(const Case& c) { return item_counts(c).all(); }
 uint64_t edges(const Case& c) { return uint64_t{grid_of(c).columns} + grid_of(c).rows + grid_of(c).slices + 3; }
 uint64_t planes(const Case& c) { return items(c) * kMaxPlanes; }
+uint64_t outline_planes(const Case& c) { return items(c) * kMaxOutline; }
+uint64_t tiles(const Case& c) { return uint64_t{grid_of(c).columns} * grid_of(c).rows; }
 uint64_t light_bits(const Case& c) { return words(item_counts(c).lights) * grid_of(c).cells(); }
 uint64_t decal_bits(const Case& c) { return words(item_counts(c).decals) * grid_of(c).cells(); }
 uint64_t probe_bits(const Case& c) { return words(item_counts(c).probes) * grid_of(c).cells(); }
 
 Groups per_64_items(const Case& c) { return {static_cast<uint32_t>((items(c) + 63) / 64)}; }
-Groups per_word_and_slice(const Case& c) {
+uint32_t all_words(const Case& c) {
   const ItemCounts n = item_counts(c);
-  return {static_cast<uint32_t>(words(n.lights) + words(n.decals) + words(n.probes)), grid_of(c).slices};
+  return static_cast<uint32_t>(words(n.lights) + words(n.decals) + words(n.probes));
+}
+Groups per_word_and_slice(const Case& c) { return {all_words(c), grid_of(c).slices}; }
+Groups per_word_and_bin(const Case& c) {
+  return {all_words(c), ceil_div(grid_of(c).columns, kBinSide) * ceil_div(grid_of(c).rows, kBinSide)};
 }
 
 Cost cost(const Case& c) {
@@ -31,6 +39,9 @@ Cost cost(const Case& c) {
 Case in_frame(const FrameInputs& f) {
   Case c = {.name = "frame", .extent = f.extent};
   c.set_params(ClusterParams{f.scene.lights, 0, 0, f.grid.columns, f.grid.rows, f.grid.slices});
+  // What surfaces a column has is not known yet: all depths.
+  c.set_input("depth_ranges",
+              std::vector<vec2>(size_t{f.grid.columns} * f.grid.rows, vec2(0, std::numeric_limits<float>::max())));
   return c;
 }
 
@@ -43,10 +54,11 @@ std::vector<Bound> bounds(const std::string& test, const std::string& reason) {
   return all;
 }
 
-Variant variant(const std::string& test, std::vector<Bound> held_to, const std::string& note) {
-  return {.name = test,
-          .passes = {Clear{"dropped_items"}, Dispatch{"prepare.comp", per_64_items},
-                     Dispatch{"mark_" + test + ".comp", per_word_and_slice}},
+Variant variant(const std::string& name, std::vector<Pass> mark, std::vector<Bound> held_to, const std::string& note) {
+  std::vector<Pass> passes = {Clear{"dropped_items"}, Dispatch{"prepare.comp", per_64_items}};
+  passes.insert(passes.end(), mark.begin(), mark.end());
+  return {.name = name,
+          .passes = std::move(passes),
           .constants = {{"THREADS", {256, 32}}},
           .bounds = std::move(held_to),
           .note = note};
@@ -54,11 +66,48 @@ Variant variant(const std::string& test, std::vector<Bound> held_to, const std::
 
 std::vector<Variant> variants() {
   const auto two_way = bounds("two_way", "all that touches; beyond, what no face and no bound keeps away by rounding");
-  Variant planes = variant("planes", two_way, "every cell against the item's faces");
-  planes.baseline = true;
-  return {std::move(planes), variant("two_way", two_way, "the cells within the item's bounds against its faces"),
-          variant("separating_axis", bounds("exact", "all that touches; beyond, what rounding cannot tell apart"),
-                  "and against the directions square to both one's edges")};
+  const auto marked = [](const std::string& shader, Groups (*groups)(const Case&)) -> std::vector<Pass> {
+    return {Dispatch{shader, groups}};
+  };
+  const auto outlined = [](const std::string& shader) -> std::vector<Pass> {
+    return {Dispatch{"outline.comp", per_64_items}, Dispatch{shader, per_word_and_bin}};
+  };
+  std::vector<Variant> all = {
+      variant("planes", marked("mark_planes.comp", per_word_and_slice), two_way, "every cell against the item's faces"),
+      variant("two_way", marked("mark_two_way.comp", per_word_and_slice), two_way,
+              "the cells within the item's bounds against its faces"),
+      variant("separating_axis", marked("mark_separating_axis.comp", per_word_and_slice),
+              bounds("exact", "all that touches; beyond, what rounding cannot tell apart"),
+              "and against the directions square to both one's edges"),
+      variant("hexahedra_raster", outlined("mark_hexahedra.comp"),
+              bounds("hexahedra", "all that touches; beyond, what no face, no outline and no depth keeps away"),
+              "columns within the item's outline, in bins first; of each, the slices between its faces"),
+      variant("hexahedra_hi_z", outlined("mark_hexahedra_hi_z.comp"),
+              bounds("hi_z", "all that touches a cell's part between the column's surfaces; beyond, as without"),
+              "and between the nearest and the farthest surface of the column"),
+      variant("two_pass_raster", marked("mark_two_pass.comp", per_word_and_bin),
+              bounds("two_pass", "all that touches; beyond, what lies between the faces' slices in a column"),
+              "faces that look away store the farthest slice, those that look at the eye walk there")};
+  all.front().baseline = true;
+  all.back().constants = {{"THREADS", {256, 64}}};
+  return all;
+}
+
+std::vector<Port> ports() {
+  std::vector<Port> all = {reads<ClusterItem>("items", items, {"scene.cluster_items"}),
+                           reads<float>("edges", edges, {"scene.cluster_edges"}),
+                           reads<vec2>("depth_ranges", tiles),
+                           writes<uvec4>("item_bounds", items),
+                           writes<vec4>("item_planes", planes),
+                           writes<Outline>("outlines", items),
+                           writes<vec4>("outline_planes", outline_planes),
+                           writes<uint>("dropped_items", fixed(1)),
+                           writes<uint>("light_bits", light_bits),
+                           writes<uint>("decal_bits", decal_bits),
+                           writes<uint>("probe_bits", probe_bits)};
+  all[2].only_in = {"hexahedra_hi_z"};
+  all[5].only_in = all[6].only_in = {"hexahedra_raster", "hexahedra_hi_z"};
+  return all;
 }
 
 }  // namespace
@@ -66,14 +115,10 @@ std::vector<Variant> variants() {
 Kernel describe() {
   return {
       .name = "cluster_voxelization",
-      .source = "Sousa, Geffroy 2016, Preparing Clustered Shading",
+      .source = "Sousa, Geffroy 2016, Preparing Clustered Shading; Coenen 2020, DOOM Eternal; Pettineo 2016, clusters",
       .default_variant = "two_way",
       .params = layout_of<ClusterParams>(),
-      .ports = {reads<ClusterItem>("items", items, {"scene.cluster_items"}),
-                reads<float>("edges", edges, {"scene.cluster_edges"}), writes<uvec4>("item_bounds", items),
-                writes<vec4>("item_planes", planes), writes<uint>("dropped_items", fixed(1)),
-                writes<uint>("light_bits", light_bits), writes<uint>("decal_bits", decal_bits),
-                writes<uint>("probe_bits", probe_bits)},
+      .ports = ports(),
       .variants = variants(),
       .oracle = mark,
       .inputs = inputs(),

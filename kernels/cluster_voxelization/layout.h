@@ -5,7 +5,16 @@
 #include "harness/shared.h"
 SHARED_BEGIN(cluster_voxelization)
 
-SHARED_CONST uint kMaxPlanes = 6u;  // of an item
+SHARED_CONST uint kMaxPlanes = 6u;    // of an item
+SHARED_CONST uint kMaxOutline = 24u;  // planes through the eye and an item's edges, both sides of twelve
+SHARED_CONST uint kBinSide = 8u;      // columns and rows: 256 pixels where a column has 32
+
+// How far an item is, no farther and no nearer whatever rounding did, in metres, and how many planes its outline has.
+struct Outline {
+  float nearest;
+  float farthest;
+  uint planes;  // up to kMaxOutline
+};
 
 // Counts beyond those of formats/clusters.h count as these.
 struct ClusterParams {
@@ -15,10 +24,12 @@ struct ClusterParams {
   uint columns;
   uint rows;
   uint slices;
+  float near_plane;  // metres; the depth of reversed depth 1. Unless in [2^-38, 2^38) depths of columns say nothing
 };
 
 #ifdef __cplusplus
-SHARED_LAYOUT(ClusterParams, lights, decals, probes, columns, rows, slices);
+SHARED_LAYOUT(ClusterParams, lights, decals, probes, columns, rows, slices, near_plane);
+SHARED_LAYOUT(Outline, nearest, farthest, planes);
 #endif
 SHARED_END
 #endif

@@ -2,21 +2,15 @@
 // cells that an item reaches, in blocks of rows.
 // Loop turns of an invocation: 8 blocks at 120 columns, the cells of a block over the threads of an item, at most 128,
 // each with 6 planes and (in separating_axis) 36 axes.
-#include "kernels/cluster_voxelization/common.glsl"
+#include "kernels/cluster_voxelization/word.glsl"
 
 layout(constant_id = 0) const uint THREADS = 256u;  // a multiple of 32
 layout(local_size_x_id = 0) in;
 READS(2, uvec4, item_bounds);
 READS(3, vec4, item_planes);
-WRITES(4, uint, light_bits);  // word after word: bit i of word w of a cell is item 32 w + i; cells by column, row, slice
-WRITES(5, uint, decal_bits);
-WRITES(6, uint, probe_bits);
 
 const uint kBlock = 1024u;  // cells
 shared uint cell_bits[kBlock];
-
-uint words(uint count) { return (count + 31u) / 32u; }
-uint cells() { return columns() * rows() * slices(); }
 
 struct Cell {
   vec2 x;  // slopes
@@ -27,14 +21,11 @@ struct Cell {
 // The cell's interval along m, with room for rounding: of one at depth 1, so that a far end does not make a near one
 // vague. z is not negative.
 vec2 interval_of_cell(Cell cell, vec3 m) {
-  const vec2 x = m.x * cell.x, y = m.y * cell.y;
-  const vec3 reach = vec3(max(abs(cell.x.x), abs(cell.x.y)), max(abs(cell.y.x), abs(cell.y.y)), 1.0);
-  const float slack = rounding(dot(abs(m), reach));
-  const float low = min(x.x, x.y) + min(y.x, y.y) + m.z - slack, high = max(x.x, x.y) + max(y.x, y.y) + m.z + slack;
+  const vec2 at_one = interval_at_one(cell.x, cell.y, m);
 #ifdef MUTANT_11  // the near end alone
-  return vec2(low, high) * cell.z.x;
+  return at_one * cell.z.x;
 #else
-  return vec2(min(low * cell.z.x, low * cell.z.y), max(high * cell.z.x, high * cell.z.y));
+  return vec2(min(at_one.x * cell.z.x, at_one.x * cell.z.y), max(at_one.y * cell.z.x, at_one.y * cell.z.y));
 #endif
 }
 
@@ -115,33 +106,21 @@ void mark_rows(uint item_index, uint bit, uint slice, uint first, uint last) {
 }
 
 void main() {
-  const uint light_words = words(lights()), decal_words = words(decals());
-  uint word = gl_WorkGroupID.x, kind = 0u, first_item = 0u, of_kind = lights();
-  if (word >= light_words) word -= light_words, kind = 1u, first_item = lights(), of_kind = decals();
-  if (kind == 1u && word >= decal_words) word -= decal_words, kind = 2u, first_item += decals(), of_kind = probes();
+  const Word word = word_of_group(gl_WorkGroupID.x);
   const uint slice = gl_WorkGroupID.y, thread = gl_LocalInvocationID.x;
-  if (slice >= slices() || word >= words(of_kind)) return;  // the whole group
+  if (slice >= slices() || !is_word(word)) return;  // the whole group
   const uint bit = thread / (THREADS / 32u);
-#ifdef MUTANT_8  // the last word's other bits are other kinds' items
-  const bool has_item = first_item + word * 32u + bit < lights() + decals() + probes();
-#else
-  const bool has_item = word * 32u + bit < of_kind;
-#endif
   const uint rows_at_once = max(kBlock / max(columns(), 1u), 1u);
   for (uint first = 0u; first < rows(); first += rows_at_once) {
     const uint last = min(first + rows_at_once, rows()) - 1u, block = (last - first + 1u) * columns();
     for (uint i = thread; i < block; i += THREADS) cell_bits[i] = 0u;
     barrier();
-    if (has_item) mark_rows(first_item + word * 32u + bit, bit, slice, first, last);
+    if (has_item(word, bit)) mark_rows(item_of(word, bit), bit, slice, first, last);
 #ifndef MUTANT_9  // the barrier dropped: what higher subgroups have yet to mark is missing
     barrier();
 #endif
-    const uint to = word * cells() + (slice * rows() + first) * columns();
-    for (uint i = thread; i < block; i += THREADS) {
-      if (kind == 0u) light_bits[to + i] = cell_bits[i];
-      if (kind == 1u) decal_bits[to + i] = cell_bits[i];
-      if (kind == 2u) probe_bits[to + i] = cell_bits[i];
-    }
+    const uint to = (slice * rows() + first) * columns();
+    for (uint i = thread; i < block; i += THREADS) store_bits(word, to + i, cell_bits[i]);
     barrier();
   }
 }

@@ -19,6 +19,7 @@ constexpr uint64_t words(uint count) { return (uint64_t{count} + 31) / 32; }
 
 // The cells of each variant's test, three-valued. "two_way_lights" and so on: what touches must be marked, what the
 // item's bounds or faces keep away by more than rounding must not. "exact_lights": likewise with every separating axis.
+// raster.h has more.
 Answer mark(const Case&);
 
 // Pairs that touch: every separating axis overlaps by more than double's rounding.

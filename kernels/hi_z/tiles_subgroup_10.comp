@@ -1,0 +1,4 @@
+#version 460
+#include "kernels/hi_z/tile_subgroup.glsl"
+
+void main() { reduce_tile(10u, gl_WorkGroupID.xy); }
