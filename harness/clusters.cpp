@@ -43,6 +43,12 @@ Extent fine_cell(Extent picture) {
           std::max(32u, ceil_div(picture.height, kMaxClusterRows))};
 }
 
+uint32_t first_of_level(Extent picture, uint32_t level) {
+  uint32_t first = 0;
+  for (uint32_t k = 1; k < level; ++k) first += ceil_div(picture.width, 1u << k) * ceil_div(picture.height, 1u << k);
+  return first;
+}
+
 uint32_t list_capacity(const ClusterGrid& g) {
   return static_cast<uint32_t>(
       std::min<uint64_t>(uint64_t{g.columns} * g.rows * g.slices * kMaxClusterEntries, 1u << 22));

@@ -337,6 +337,11 @@ void expect_same_light(const scene::Scene& s, Extent size) {
       EXPECT_EQ(counts.dropped_lights, 0u);
       EXPECT_GT(counts.entries, 0u);
     }
+  o.clusters = "fine", o.variants["deferred_lighting"] = "clustered";
+  for (const std::string culler : {"hexahedra_raster", "hexahedra_hi_z", "two_pass_raster"}) {
+    o.variants["cluster_voxelization"] = culler;
+    EXPECT_EQ(draw(s, o).downloads.at(radiance), all.downloads.at(radiance)) << culler;
+  }
 }
 
 TEST(Frame, LightThroughClustersIsLightByBruteForce) {

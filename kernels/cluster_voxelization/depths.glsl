@@ -6,11 +6,11 @@ const float kQuotient = 1.0 / 1048576.0;                     // six roundings, o
 
 // In metres, nearest and farthest, no less than there is; a nearest beyond the farthest: none.
 vec2 depths_of(uvec2 at) {
-  const vec2 reversed = depth_ranges[at.y * columns() + at.x];
-  const uvec2 bits = floatBitsToUint(reversed);  // a NaN compares with nothing, so bits do
   const uint exponent = floatBitsToUint(params.near_plane) >> 23u;
-  const bool is_plane = exponent >= 127u - 38u && exponent < 127u + 38u;
-  if (!is_plane || bits.y > 0x7f800000u || bits.x > bits.y) return vec2(0.0, kFarthest);
+  if (exponent < 127u - 38u || exponent >= 127u + 38u) return vec2(0.0, kFarthest);
+  const vec2 reversed = depth_ranges[params.first_range + at.y * columns() + at.x];
+  const uvec2 bits = floatBitsToUint(reversed);  // a NaN compares with nothing, so bits do
+  if (bits.y > 0x7f800000u || bits.x > bits.y) return vec2(0.0, kFarthest);
   if (reversed.y < kLeastDepth) return vec2(kFarthest, 0.0);
   vec2 depths = vec2(0.0, kFarthest);
 #ifdef MUTANT_18  // nearest and farthest swapped

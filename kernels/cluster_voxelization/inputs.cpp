@@ -14,6 +14,7 @@ using glm::dvec3;
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
+constexpr uint kFirstRange = 5;
 
 }  // namespace
 
@@ -30,13 +31,19 @@ std::vector<float> Scene::edges() const {
 Case Scene::to_case() const {
   Case c{.extent = {columns, rows}};
   c.set_params(ClusterParams{static_cast<uint>(lights.size()), static_cast<uint>(decals.size()),
-                             static_cast<uint>(probes.size()), columns, rows, slices, static_cast<float>(near)});
+                             static_cast<uint>(probes.size()), columns, rows, slices, static_cast<float>(near),
+                             kFirstRange});
   std::vector<ClusterItem> items = lights;
   for (const auto* more : {&decals, &probes}) items.insert(items.end(), more->begin(), more->end());
   c.set_input("items", items);
   c.set_input("edges", edges());
-  c.set_input("depth_ranges",
-              depth_ranges.empty() ? std::vector<vec2>(size_t{columns} * rows, vec2(0, 1)) : depth_ranges);
+  // Before them lies what says that there is nothing anywhere.
+  std::vector<vec2> ranges(kFirstRange, vec2(0));
+  if (depth_ranges.empty())
+    ranges.resize(kFirstRange + size_t{columns} * rows, vec2(0, 1));
+  else
+    ranges.insert(ranges.end(), depth_ranges.begin(), depth_ranges.end());
+  c.set_input("depth_ranges", ranges);
   return c;
 }
 

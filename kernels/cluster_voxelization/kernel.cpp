@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <limits>
-
+#include "harness/clusters.h"
 #include "kernels/cluster_voxelization/inputs.h"
 
 namespace assay::cluster_voxelization {
@@ -14,7 +13,10 @@ uint64_t items(const Case& c) { return item_counts(c).all(); }
 uint64_t edges(const Case& c) { return uint64_t{grid_of(c).columns} + grid_of(c).rows + grid_of(c).slices + 3; }
 uint64_t planes(const Case& c) { return items(c) * kMaxPlanes; }
 uint64_t outline_planes(const Case& c) { return items(c) * kMaxOutline; }
-uint64_t tiles(const Case& c) { return uint64_t{grid_of(c).columns} * grid_of(c).rows; }
+// Finer levels of the depth pyramid lie before the one that has a texel a column and row.
+uint64_t depth_ranges(const Case& c) {
+  return c.params<ClusterParams>().first_range + uint64_t{grid_of(c).columns} * grid_of(c).rows;
+}
 uint64_t light_bits(const Case& c) { return words(item_counts(c).lights) * grid_of(c).cells(); }
 uint64_t decal_bits(const Case& c) { return words(item_counts(c).decals) * grid_of(c).cells(); }
 uint64_t probe_bits(const Case& c) { return words(item_counts(c).probes) * grid_of(c).cells(); }
@@ -36,12 +38,14 @@ Cost cost(const Case& c) {
           .operations = items(c) * edges(c) * 40};  // which of the grid's planes an item lies beyond
 }
 
+// The pyramid's fifth level has a texel a cell of 32 pixels; of other cells depths say nothing.
 Case in_frame(const FrameInputs& f) {
+  constexpr uint kLevel = 5;
+  const ClusterGrid& g = f.grid;
   Case c = {.name = "frame", .extent = f.extent};
-  c.set_params(ClusterParams{f.scene.lights, 0, 0, f.grid.columns, f.grid.rows, f.grid.slices});
-  // What surfaces a column has is not known yet: all depths.
-  c.set_input("depth_ranges",
-              std::vector<vec2>(size_t{f.grid.columns} * f.grid.rows, vec2(0, std::numeric_limits<float>::max())));
+  const bool has_depths = g.cell_width == 1u << kLevel && g.cell_height == 1u << kLevel;
+  c.set_params(ClusterParams{f.scene.lights, 0, 0, g.columns, g.rows, g.slices, has_depths ? f.near_plane : 0,
+                             has_depths ? first_of_level(f.extent, kLevel) : 0});
   return c;
 }
 
@@ -96,7 +100,7 @@ std::vector<Variant> variants() {
 std::vector<Port> ports() {
   std::vector<Port> all = {reads<ClusterItem>("items", items, {"scene.cluster_items"}),
                            reads<float>("edges", edges, {"scene.cluster_edges"}),
-                           reads<vec2>("depth_ranges", tiles),
+                           reads<vec2>("depth_ranges", depth_ranges, {"hi_z.ranges"}),
                            writes<uvec4>("item_bounds", items),
                            writes<vec4>("item_planes", planes),
                            writes<Outline>("outlines", items),

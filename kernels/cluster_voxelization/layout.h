@@ -25,10 +25,11 @@ struct ClusterParams {
   uint rows;
   uint slices;
   float near_plane;  // metres; the depth of reversed depth 1. Unless in [2^-38, 2^38) depths of columns say nothing
+  uint first_range;  // where they begin in depth_ranges
 };
 
 #ifdef __cplusplus
-SHARED_LAYOUT(ClusterParams, lights, decals, probes, columns, rows, slices, near_plane);
+SHARED_LAYOUT(ClusterParams, lights, decals, probes, columns, rows, slices, near_plane, first_range);
 SHARED_LAYOUT(Outline, nearest, farthest, planes);
 #endif
 SHARED_END

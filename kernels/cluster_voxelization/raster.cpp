@@ -181,7 +181,7 @@ void answer_raster(const Case& c, Answer& answer, const std::string& kind, uint 
                    const std::vector<uint>& may_touch) {
   const Edges e{grid_of(c), c.input<float>("edges")};
   const auto items = c.input<ClusterItem>("items");
-  const auto ranges = c.input<vec2>("depth_ranges");
+  const auto ranges = c.input<vec2>("depth_ranges").subspan(c.params<ClusterParams>().first_range);
   const uint64_t cells = e.grid.cells(), all = words(count) * cells;
   Answers to{Bits(all), Bits(all), Bits(all)};
   for (uint i = 0; i < count; ++i) {
