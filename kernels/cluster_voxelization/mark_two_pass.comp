@@ -26,9 +26,35 @@ ivec2 span_of(FacePlanes planes, ivec2 span, Tile tile) {
   return span;
 }
 
+// In a column that the face reaches in `span`: the farthest slice is stored, or slices are marked from the nearest on.
+void store_farthest(uint bit, uint tile, ivec2 span, ivec2 of_item) {
+#ifdef MUTANT_21  // the last face's, not the farthest
+  farthest[bit * kBinTiles + tile] = uint(min(span.y, of_item.y) + 1);
+#else
+  atomicMax(farthest[bit * kBinTiles + tile], uint(min(span.y, of_item.y) + 1));
+#endif
+}
+void walk_from_nearest(uint bit, uint tile, ivec2 span, ivec2 of_item, bool inside) {
+  const int nearest = inside ? of_item.x : max(span.x, of_item.x);
+#ifdef MUTANT_22  // the farthest is left out
+  const int end = int(farthest[bit * kBinTiles + tile]) - 1;
+#else
+  const int end = int(farthest[bit * kBinTiles + tile]);
+#endif
+  for (int slice = nearest; slice < end; ++slice) mark(tile, slice, bit);
+}
+
+// Slices of an item, and one more before the first and beyond the last of the grid: its faces may lie there alone.
+ivec2 with_outer(ivec2 span) {
+#ifdef MUTANT_25  // they are forgotten
+  return span;
+#else
+  return span + ivec2(span.x == 0 ? -1 : 0, span.y + 1 == int(slices()) ? 1 : 0);
+#endif
+}
+
 void pass_face(uint item_index, uint bit, uint face_index, uvec2 first, bool walk) {
   const ClusterItem item = items[item_index];
-  if (item.shape == kShapePyramid && face_index == 5u) return;
   const Face face = face_of(item, face_index);
   const bvec2 facing = front_and_back(item, face);
 #ifdef MUTANT_20  // the eye is never inside
@@ -38,42 +64,28 @@ void pass_face(uint item_index, uint bit, uint face_index, uvec2 first, bool wal
 #endif
   if (walk ? !facing.x && !inside : !facing.y) return;
   const FacePlanes planes = planes_of(item, face);
-  const ivec2 slices_of_item = ivec2(unpacked(item_bounds[item_index].z));
-  // An item that begins before the first slice, or ends beyond the last, may have faces there alone.
-#ifdef MUTANT_25  // they are forgotten
-  const ivec2 span_of_item = slices_of_item;
-#else
-  const ivec2 span_of_item = slices_of_item + ivec2(slices_of_item.x == 0 ? -1 : 0, slices_of_item.y + 1 == int(slices()) ? 1 : 0);
-#endif
-  if (is_empty(slices_of_item)) return;
-  for (uint tile = 0u; tile < kBinTiles; ++tile) {
-    const uvec2 at = tile_of_bin(first, tile);
-    if (!is_in_bounds(item_index, at, at) || !is_in_column(item, face, at)) continue;
-    const ivec2 span = span_of(planes, span_of_item, tile_between(at, at));
-    if (is_empty(span)) continue;
-    const uint to = bit * kBinTiles + tile;
-    if (!walk) {
-#ifdef MUTANT_21  // the last face's, not the farthest
-      farthest[to] = uint(min(span.y, slices_of_item.y) + 1);
-#else
-      atomicMax(farthest[to], uint(min(span.y, slices_of_item.y) + 1));
-#endif
-      continue;
+  const uvec4 bounds = item_bounds[item_index];
+  const ivec2 of_item = ivec2(unpacked(bounds.z)), all = with_outer(of_item);
+  const uvec2 across = unpacked(bounds.x), down = unpacked(bounds.y), last = last_of_bin(first);
+  if (is_empty(of_item) || is_empty(span_of(planes, all, tile_between(first, last)))) return;
+  for (uint y = max(first.y, down.x); y <= min(last.y, down.y); ++y)
+    for (uint x = max(first.x, across.x); x <= min(last.x, across.y); ++x) {
+      const uvec2 at = uvec2(x, y);
+      if (!is_in_column(item, face, at)) continue;
+      const ivec2 span = span_of(planes, all, tile_between(at, at));
+      if (is_empty(span)) continue;
+      const uint tile = (y - first.y) * kBinSide + x - first.x;
+      if (walk) walk_from_nearest(bit, tile, span, of_item, inside);
+      else store_farthest(bit, tile, span, of_item);
     }
-    const int nearest = inside ? slices_of_item.x : max(span.x, slices_of_item.x);
-#ifdef MUTANT_22  // the farthest is left out
-    for (int slice = nearest; slice + 1 < int(farthest[to]); ++slice) mark(tile, slice, bit);
-#else
-    for (int slice = nearest; slice < int(farthest[to]); ++slice) mark(tile, slice, bit);
-#endif
-  }
 }
 
 void pass_faces(Word word, uvec2 first, bool walk) {
   for (uint i = gl_LocalInvocationID.x; i < 32u * kMaxPlanes; i += THREADS) {
-    const uint bit = i / kMaxPlanes;
-    if (has_item(word, bit) && is_in_bounds(item_of(word, bit), first, last_of_bin(first)))
-      pass_face(item_of(word, bit), bit, i % kMaxPlanes, first, walk);
+    const uint bit = i / kMaxPlanes, face = i % kMaxPlanes;
+    if (!has_item(word, bit) || (face == 5u && items[item_of(word, bit)].shape == kShapePyramid)) continue;
+    if (is_in_bounds(item_of(word, bit), first, last_of_bin(first)))
+      pass_face(item_of(word, bit), bit, face, first, walk);
   }
 }
 
