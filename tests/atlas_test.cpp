@@ -151,6 +151,13 @@ DecalRecord placed(const DecalAtlas& atlas, size_t i, const dvec3& at, const dve
   return d;
 }
 
+void set_atlas(Case& c, const DecalAtlas& atlas) {
+  c.textures["atlas"] = atlas.textures;
+  auto p = c.params<decal_atlas_sampling::DecalParams>();
+  p.atlas_border = static_cast<float>(atlas.border);
+  c.set_params(p);
+}
+
 // One decal at a time, from a texel over many pixels to the whole of it within one, level and at a slant.
 View loud_view(const DecalAtlas& atlas, size_t i, double half, bool on_floor) {
   View v({48, 48});
@@ -160,7 +167,7 @@ View loud_view(const DecalAtlas& atlas, size_t i, double half, bool on_floor) {
     v.set_plane(0, 0, 48, 48, {0, 0, -8}, {0, 0, 1});
   v.decals = {on_floor ? placed(atlas, i, {0.1, -1.5, -6}, {0, 1, 0}, 0.4, {half, half, 1})
                        : placed(atlas, i, {0.3, 0.2, -8}, {0, 0, 1}, 0.4, {half, half, 1})};
-  v.last = [&atlas](Case& c) { c.textures["atlas"] = atlas.textures; };
+  v.last = [&atlas](Case& c) { set_atlas(c, atlas); };
   return v;
 }
 
@@ -234,7 +241,7 @@ TEST(Atlas, RealDecalsOnAWallAreWhatTheOracleFinds) {
   for (size_t i = 0; i < 5; ++i)
     v.decals.push_back(placed(atlas, i, {3.0 * static_cast<double>(i) - 6, 0.5, -8}, {0, 0, 1}, 0.2, {2, 2.5, 6}));
   Case c = v.to_case();
-  c.textures["atlas"] = atlas.textures;
+  set_atlas(c, atlas);
   const check::Prepared prepared = check::prepare(kernel(), c, device::info(*device()).traits);
   for (const Variant& variant : kernel().variants) {
     if (!device::missing(device::info(*device()), variant).empty()) continue;

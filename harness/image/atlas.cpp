@@ -130,7 +130,7 @@ DecalAtlas make_atlas(std::span<const DecalPictures> decals, uint32_t side, uint
   uint32_t pages = 1;
   for (const PagePlace& p : places) pages = std::max(pages, p.page + 1);
 
-  DecalAtlas atlas;
+  DecalAtlas atlas = {.border = border};
   const auto in_page = [side](uint32_t texels) { return static_cast<float>(texels) / static_cast<float>(side); };
   for (size_t i = 0; i < decals.size(); ++i)
     atlas.rectangles.push_back({places[i].page, in_page(places[i].x + border), in_page(places[i].y + border),

@@ -32,6 +32,7 @@ struct AtlasRectangle {
 struct DecalAtlas {
   std::vector<Texture> textures;  // albedo (rgba8_srgb), normal, roughness (rgba8_unorm): layers are pages
   std::vector<AtlasRectangle> rectangles;
+  uint32_t border = 0;  // texels of the first level around each
 };
 
 // Pages of `side` texels with `levels` mips, both such that side is a multiple of 2^(levels - 1), the last level's

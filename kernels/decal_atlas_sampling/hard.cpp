@@ -173,6 +173,23 @@ std::vector<HardCase> filter_cases() {
            [] {
              return wall({160, 90});
            })},
+      {"loud_neighbours_of_borders", "the same with a border as wide as the first level needs",
+       made(
+           [](View& v) {
+             v.atlas.look = Look::loud, v.atlas.border = 5;
+             for (uint32_t i = 0; i < 5; ++i) {
+               const double half = std::exp2(double(i)) * 0.09;
+               v.decals.push_back(decal({1.3 * i - 3, 0.2, -8}, {0, 0, 1}, 0, {half, half, 1}, v.atlas, i));
+             }
+             v.last = [](Case& c) {
+               auto p = c.params<DecalParams>();
+               p.atlas_border = 1;
+               c.set_params(p);
+             };
+           },
+           [] {
+             return wall({160, 90});
+           })},
       {"loud_grazing", "the same with footprints much longer than wide",
        made(
            [](View& v) {

@@ -95,6 +95,7 @@ Case random_case(Random& r) {
   const AtlasPlan::Look looks[] = {AtlasPlan::Look::painted, AtlasPlan::Look::loud, AtlasPlan::Look::levels,
                                    AtlasPlan::Look::stripes};
   v.atlas.look = looks[r.branch({{"painted", 0.6}, {"loud", 0.2}, {"levels", 0.1}, {"stripes", 0.1}})];
+  if (r.branch({{"no_border", 0.5}, {"border", 0.5}}) != 0) v.atlas.border = 1 + r.rng.below(8);
   const uint32_t counts[] = {0, 1, 1 + r.rng.below(40), 100 + r.rng.below(200)};
   const uint32_t count = counts[r.branch({{"no_decal", 0.05}, {"one", 0.1}, {"some", 0.7}, {"many", 0.15}})];
   const double size = v.extent.width / std::sqrt(count + 1.0);
@@ -107,8 +108,8 @@ Case random_case(Random& r) {
 
 std::vector<std::string> branches() {
   std::vector<std::string> all = kExtentBranches;
-  for (const char* b : {"hall", "patches", "painted", "loud", "levels", "stripes", "no_decal", "one", "some", "many",
-                        "at_rest", "moving"})
+  for (const char* b : {"hall", "patches", "painted", "loud", "levels", "stripes", "no_border", "border", "no_decal",
+                        "one", "some", "many", "at_rest", "moving"})
     all.push_back(b);
   return all;
 }
@@ -134,7 +135,7 @@ std::vector<Case> smaller(const Case& c) {
 Case typical(Extent e) {
   Pcg32 rng(1);
   View v(e);
-  v.atlas = {.width = 512, .height = 512, .side = 64, .levels = 5, .pages = 2};
+  v.atlas = {.width = 512, .height = 512, .side = 64, .levels = 5, .pages = 2, .border = 9};
   set_hall(v);
   for (uint32_t i = 0; i < 256; ++i) add_decal(v, rng, e.width / 14.0 * std::exp2(rng.range(-1.5, 0.5)));
   Case c = v.to_case();

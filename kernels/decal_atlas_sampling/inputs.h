@@ -9,13 +9,16 @@ std::vector<std::string> branches();
 std::vector<HardCase> hard_cases();
 std::vector<Case> smaller(const Case&);  // fewer decals, then fewer pixels
 Case typical(Extent);                    // 256 decals on floor and walls, one or two to a pixel
+// Base colour against the mean over a pixel's ellipse.
+ErrorTable error_table();
 
-// ---- For hard.cpp
+// ---- For hard.cpp and errors.cpp, and tests
 
 // Pages of decals side by side, each `side` texels square and aligned, `levels` of mips. Painted: discs that fade out;
 // loud: a decal one colour, far from its neighbours'; levels: a colour a level; stripes: eight texels wide, opaque.
 struct AtlasPlan {
   uint32_t width = 128, height = 128, side = 32, levels = 4, pages = 2;
+  uint32_t border = 0;  // texels of a decal's own that its rectangle leaves out on each side
   uint64_t seed = 1;
   enum class Look { painted, loud, levels, stripes } look = Look::painted;
 };

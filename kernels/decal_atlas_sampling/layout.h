@@ -17,7 +17,8 @@ struct DecalParams {
   uint decals;
   uint entries;  // of the lists
   uint receivers;
-  float near_plane;  // metres
+  float near_plane;    // metres
+  float atlas_border;  // texels of the first level around each rectangle that hold what it holds at its sides
   ViewRays rays;
 };
 
@@ -71,7 +72,8 @@ SHARED_CONST float kLeastNormal = 1e-6f;
 SHARED_CONST float kLargestNormal = 1e12f;
 
 #ifdef __cplusplus
-SHARED_LAYOUT(DecalParams, width, height, columns, rows, slices, decals, entries, receivers, near_plane, rays);
+SHARED_LAYOUT(DecalParams, width, height, columns, rows, slices, decals, entries, receivers, near_plane, atlas_border,
+              rays);
 SHARED_LAYOUT(DecalRecord, row_x, row_y, row_z, scale_bias, weights, fade_distance, tangent, normal_mode, bitangent,
               receiver, outward, page);
 SHARED_LAYOUT(ReceiverRecord, row_x, row_y, row_z);

@@ -57,10 +57,11 @@ TexelDerivatives in_texels(const Derivatives& d, const Atlas& a) {
 Interval larger(Interval a, Interval b) { return {std::max(a.low, b.low), std::max(a.high, b.high)}; }
 Interval smaller(Interval a, Interval b) { return {std::min(a.low, b.low), std::min(a.high, b.high)}; }
 
-// A coordinate held away from its rectangle's sides by half of what a sample takes in there.
-Interval held(Interval at, double scale, double bias, Interval rho, uint32_t size, uint32_t levels) {
-  const double last = std::ldexp(0.5, static_cast<int>(levels) - 1);
-  const Interval inset = exactly(kInset) * smaller(at_least(rho, 0.5), exactly(last)) / exactly(size);
+// A coordinate held away from its border's sides by half of what a sample takes in there.
+Interval held(Interval at, double scale, double bias, Interval rho, uint32_t size, const Atlas& a) {
+  const double last = std::ldexp(0.5, static_cast<int>(a.levels) - 1);
+  const Interval taken_in = exactly(kInset) * smaller(at_least(rho, 0.5), exactly(last));
+  const Interval inset = at_least(taken_in - exactly(a.border), 0) / exactly(size);
   const Interval room = at_least(exactly(0.5 * std::fabs(scale)) - inset, 0);
   const Interval centre = exactly(bias) + exactly(0.5 * scale);
   return smaller(larger(at, centre - room), centre + room);
@@ -72,8 +73,8 @@ struct DecalSample {
 };
 
 DecalSample sample_at(const DecalRecord& d, Interval u, Interval v, Interval rho, Interval level, const Atlas& a) {
-  const Interval x = held(u, d.scale_bias.x, d.scale_bias.z, rho, a.width, a.levels);
-  const Interval y = held(v, d.scale_bias.y, d.scale_bias.w, rho, a.height, a.levels);
+  const Interval x = held(u, d.scale_bias.x, d.scale_bias.z, rho, a.width, a);
+  const Interval y = held(v, d.scale_bias.y, d.scale_bias.w, rho, a.height, a);
   const Intervals4 normal = a.normal.sampled(d.page, x, y, level);
   return {a.albedo.sampled(d.page, x, y, level), normal[0], normal[1], a.roughness.sampled(d.page, x, y, level)[0]};
 }

@@ -24,6 +24,7 @@ enum class Filtering { trilinear, taps };
 struct Atlas {
   AtlasFilter albedo, normal, roughness;
   uint32_t width, height, levels;
+  float border;  // texels
 };
 
 // A decal onto `m`, whose receiver, where it has one, is there.

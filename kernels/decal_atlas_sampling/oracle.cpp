@@ -71,7 +71,8 @@ Inputs inputs_of(const Case& c) {
           c.input<uint>("entries"),
           c.input<uint>("decal_bits"),
           {AtlasFilter(t[kAtlasAlbedo], c.device), AtlasFilter(t[kAtlasNormal], c.device),
-           AtlasFilter(t[kAtlasRoughness], c.device), t[0].width, t[0].height, t[0].levels}};
+           AtlasFilter(t[kAtlasRoughness], c.device), t[0].width, t[0].height, t[0].levels,
+           c.params<DecalParams>().atlas_border}};
 }
 
 Intervals3 intervals(const vec3& v) { return {exactly(v.x), exactly(v.y), exactly(v.z)}; }

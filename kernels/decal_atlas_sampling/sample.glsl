@@ -1,6 +1,6 @@
 // Where a decal's rectangle of the atlas is sampled, and over how much of it; isotropic and trilinear. No tap leaves
-// the rectangle: levels end where the rectangle's alignment ends, for the atlas has no more of them, and coordinates keep
-// half the footprint away from its sides.
+// the rectangle and its border: levels end where their alignment ends, for the atlas has no more of them, and coordinates
+// keep half the footprint away from the border's sides.
 #ifndef DECAL_ATLAS_SAMPLING_SAMPLE
 #define DECAL_ATLAS_SAMPLING_SAMPLE
 #include "kernels/decal_atlas_sampling/common.glsl"
@@ -38,9 +38,9 @@ vec2 held_inside(vec2 uv, vec4 scale_bias, float rho) {
 #ifdef MUTANT_4  // coordinates go up to the rectangle's sides
   const vec2 inset = vec2(0.0);
 #elif defined(MUTANT_5)  // half a texel of the first level, whatever the level is
-  const vec2 inset = kInset * 0.5 / atlas_size();
+  const vec2 inset = max(kInset * 0.5 - params.atlas_border, 0.0) / atlas_size();
 #else
-  const vec2 inset = kInset * min(max(rho, 0.5), last) / atlas_size();
+  const vec2 inset = max(kInset * min(max(rho, 0.5), last) - params.atlas_border, 0.0) / atlas_size();
 #endif
   const vec2 half_size = 0.5 * abs(scale_bias.xy), centre = scale_bias.zw + 0.5 * scale_bias.xy;
   const vec2 room = max(half_size - inset, 0.0);

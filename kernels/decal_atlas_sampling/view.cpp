@@ -95,13 +95,15 @@ DecalRecord decal(const dvec3& at, const dvec3& outward, double angle, const dve
     return vec4(vec3(r), static_cast<float>(0.5 - glm::dot(r, at)));
   };
   const uint32_t columns = a.width / a.side, rows = a.height / a.side;
-  const vec2 scale = {static_cast<float>(a.side) / static_cast<float>(a.width),
-                      static_cast<float>(a.side) / static_cast<float>(a.height)};
-  const auto column = static_cast<float>(cell % columns), line = static_cast<float>(cell / columns % rows);
+  const vec2 size = {static_cast<float>(a.width), static_cast<float>(a.height)};
+  const vec2 scale = vec2(static_cast<float>(a.side - 2 * a.border)) / size;
+  const vec2 bias = vec2(static_cast<float>(cell % columns * a.side + a.border),
+                         static_cast<float>(cell / columns % rows * a.side + a.border)) /
+                    size;
   return {.row_x = row_of(0),
           .row_y = row_of(1),
           .row_z = row_of(2),
-          .scale_bias = {scale.x, scale.y, scale.x * column, scale.y * line},
+          .scale_bias = {scale.x, scale.y, bias.x, bias.y},
           .weights = vec3(1),
           .fade_distance = 0,
           .tangent = vec3(axes[0]),
@@ -168,6 +170,7 @@ Case View::to_case() const {
   }
   p.decals = static_cast<uint32_t>(decals.size()), p.entries = static_cast<uint32_t>(entries.size());
   p.receivers = static_cast<uint32_t>(receivers.size());
+  p.atlas_border = static_cast<float>(atlas.border);
   Case c = {.extent = extent};
   c.set_params(p);
   c.set_input("depth", depth);
