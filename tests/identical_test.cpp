@@ -19,6 +19,7 @@ struct Promise {
   std::vector<const char*> variants, ports;
 };
 const Promise kPromises[] = {
+    {"decal_atlas_sampling", {"gradient", "scalarised"}, {"base_roughness", "normal"}},
     {"deferred_lighting", {"plain", "tiled_shared", "subgroup_cull"}, {"radiance"}},
     {"deferred_lighting", {"clustered", "clustered_scalarised"}, {"radiance"}},
     {"resolve", {"two_level", "subgroup_tree", "bucketed_curve"}, {"partials", "exposure", "image"}},

@@ -13,7 +13,7 @@ std::map<std::string, Bytes> written(device::Device& d, const device::Plan& plan
   device::run(d, device::lower(d, plan, c, ports));
   std::map<std::string, Bytes> bytes;
   for (const Port& p : plan.kernel->ports)
-    if (p.use != Use::reads && p.kind == PortKind::buffer && has_port(*plan.variant, p))
+    if (p.use != Use::reads && p.kind != PortKind::textures && has_port(*plan.variant, p))
       bytes[p.name] = device::read(d, *ports.at(p.name));
   return bytes;
 }

@@ -1,0 +1,4 @@
+#version 460
+// Several samples along the longer derivative.
+#define SAMPLE_TAPS
+#include "kernels/decal_atlas_sampling/walk.glsl"

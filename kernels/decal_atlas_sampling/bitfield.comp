@@ -1,0 +1,29 @@
+#version 460
+// The decals of a cell as bits, word after word of all cells (Pettineo 2016). Words times their bits: 4096 turns at most,
+// and one a word.
+#include "kernels/decal_atlas_sampling/blend.glsl"
+READS(9, uint, decal_bits);
+
+void main() {
+  const uvec2 pixel = gl_GlobalInvocationID.xy;
+  const float d = depth_at(pixel);
+  if (d == 0.0) return;
+  const Point p = point_at(pixel, d);
+  Material m = load_material(pixel);
+  const uint all_cells = params.columns * params.rows * params.slices;
+  const uint cell = cell_of(pixel, p.distance);
+  const uint words = (min(params.decals, kMaxClusterDecals) + 31u) / 32u;
+  for (uint w = 0u; w < words; ++w) {
+    uint bits = decal_bits[w * all_cells + cell];
+    while (bits != 0u) {
+#ifdef MUTANT_17  // the highest bit first
+      const int bit = findMSB(bits);
+#else
+      const int bit = findLSB(bits);
+#endif
+      bits &= ~(1u << bit);
+      apply_decal(m, w * 32u + uint(bit), p);
+    }
+  }
+  store_material(pixel, m);
+}

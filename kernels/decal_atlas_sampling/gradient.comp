@@ -1,0 +1,3 @@
+#version 460
+// Gradients are given to the sampler.
+#include "kernels/decal_atlas_sampling/walk.glsl"

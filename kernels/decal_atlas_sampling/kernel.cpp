@@ -1,0 +1,125 @@
+#include "harness/kernel.h"
+
+#include "kernels/decal_atlas_sampling/inputs.h"
+#include "kernels/decal_atlas_sampling/oracle.h"
+
+namespace assay::decal_atlas_sampling {
+
+namespace {
+
+Count counted(uint DecalParams::*member) {
+  return [member](const Case& c) { return uint64_t{c.params<DecalParams>().*member}; };
+}
+uint64_t cells(const Case& c) {
+  const auto p = c.params<DecalParams>();
+  return uint64_t{p.columns} * p.rows * p.slices;
+}
+uint64_t edges(const Case& c) { return uint64_t{c.params<DecalParams>().slices} + 1; }
+uint64_t bit_words(const Case& c) { return (uint64_t{c.params<DecalParams>().decals} + 31) / 32 * cells(c); }
+Groups per_pixel(const Case& c) { return {ceil_div(c.extent.width, 16), ceil_div(c.extent.height, 16), 1}; }
+
+const std::vector<std::string> kByList = {"gradient", "lod", "anisotropic_taps", "scalarised"};
+
+Port only_in(std::vector<std::string> variants, Port p) {
+  p.only_in = std::move(variants);
+  return p;
+}
+// The G-buffer's channels as words: a code is kept to the bit where nothing touches it.
+Port channel(const std::string& name, Format format) {
+  return {.name = name,
+          .use = Use::updates,
+          .kind = PortKind::image,
+          .format = format,
+          .view = Format::r32_uint,
+          .producers = {"deferred_texturing." + name}};
+}
+
+// Each port once, as the default binds them: the lists as long as they are, every texel.
+Cost cost(const Case& c) {
+  const auto p = c.params<DecalParams>();
+  uint64_t texels = 0;
+  for (const Texture& t : c.textures.at("atlas")) texels += t.bytes.size();
+  return {.bytes_read = pixels(c) * (4 + 4 + 4 + 4) + edges(c) * sizeof(float) + p.decals * sizeof(DecalRecord) +
+                        p.receivers * sizeof(ReceiverRecord) + cells(c) * sizeof(uvec2) + p.entries * sizeof(uint) +
+                        texels,
+          .bytes_written = pixels(c) * (4 + 4),
+          .operations = pixels(c) * 40};  // position 20, slice 20; what decals cost is the scene's
+}
+
+Bound channel_bound(const std::string& port, Unpack unpack, const std::string& prefix, std::string reason) {
+  Bound b = between({port}, std::move(reason));
+  b.unpack = std::move(unpack), b.answer = prefix + port;
+  return b;
+}
+std::vector<Bound> bounds(const std::string& prefix) {
+  return {channel_bound("base_roughness", unpack_base_roughness(), prefix, "trilinear range, rounded to nearest"),
+          channel_bound("normal", unpack_normal(), prefix, "trilinear range of the map, half an octahedral step")};
+}
+
+Variant variant(const std::string& name, const std::string& note, const std::string& answer = "") {
+  return {.name = name, .passes = {Dispatch{name + ".comp", per_pixel}}, .bounds = bounds(answer), .note = note};
+}
+std::vector<Variant> variants() {
+  Variant scalarised = variant("scalarised", "a wave walks the union of its cells' lists, a decal at a time");
+  scalarised.needs = {Feature::subgroup_arithmetic, Feature::subgroup_ballot};
+  return {variant("gradient", "gradients given to the sampler, isotropic and trilinear"),
+          variant("lod", "the level worked out once for the three pages"),
+          variant("anisotropic_taps", "four samples along the longer derivative", kTaps), std::move(scalarised),
+          variant("bitfield", "the cell's decals as bits", kBits)};
+}
+
+std::vector<Mutant> mutants() {
+  return {{"common.glsl", 1, "every surface is square to the view", "grazing_levels"},
+          {"common.glsl", 2, "one slice less", "cells_apart"},
+          {"common.glsl", 3, "rows as long as columns", "cells_apart"},
+          {"sample.glsl", 4, "coordinates go up to the rectangle's sides", "loud_neighbours"},
+          {"sample.glsl", 5, "half a texel of the first level at all levels", "loud_neighbours"},
+          {"sample.glsl", 6, "only the way across is minified", "gradient_of_y"},
+          {"sample.glsl", 7, "samples along the shorter derivative", "stripes_along"},
+          {"blend.glsl", 8, "roughness is lost where the base colour is written alone", "base_alone"},
+          {"blend.glsl", 9, "no decal fades", "fading"},
+          {"blend.glsl", 10, "reoriented is whiteout", "reoriented"},
+          {"blend.glsl", 11, "receivers turn, but do not move", "moving_receiver"},
+          {"blend.glsl", 12, "the box has no depth", "behind_the_box"},
+          {"blend.glsl", 13, "colours are mixed as they are stored", "half_covered"},
+          {"lists.glsl", 14, "the last decal of a cell is forgotten", "one_decal"},
+          {"walk.glsl", 15, "the last decal of a list comes first", "order"},
+          {"scalarised.comp", 16, "all of the wave take each decal", "cells_apart"},
+          {"bitfield.comp", 17, "the highest bit first", "order"},
+          {"harness/glsl/gbuffer.glsl", 9301, "normals of the lower half are not folded", "normal_turned_away"},
+          {"harness/glsl/gbuffer.glsl", 9302, "nor unfolded", "normal_turned_away"},
+          {"harness/glsl/gbuffer.glsl", 9305, "linear colour is stored", "half_covered"},
+          {"harness/glsl/gbuffer.glsl", 9306, "the root of the base colour taken for it", "half_covered"}};
+}
+
+}  // namespace
+
+Kernel describe() {
+  return {
+      .name = "decal_atlas_sampling",
+      .source = "Sousa, Geffroy 2016, Box Projected Decals; Pettineo 2016, Decals",
+      .default_variant = "gradient",
+      .params = layout_of<DecalParams>(),
+      .ports = {reads_image("depth", Format::d32_float, {"visibility.depth"}),
+                reads_image("depth_gradients", Format::rg16_float), channel("base_roughness", Format::rgba8_unorm),
+                channel("normal", Format::rg16_snorm), reads<float>("edges", edges),
+                reads<DecalRecord>("decals", counted(&DecalParams::decals)),
+                reads<ReceiverRecord>("receivers", counted(&DecalParams::receivers)),
+                only_in(kByList, reads<uvec2>("cells", cells)),
+                only_in(kByList, reads<uint>("entries", counted(&DecalParams::entries))),
+                only_in({"bitfield"}, reads<uint>("decal_bits", bit_words)), reads_textures("atlas", 3)},
+      .variants = variants(),
+      .oracle = decaled,
+      .inputs = {.random = random_case, .branches = branches(), .hard = hard_cases(), .smaller = smaller},
+      .bounds = bounds(""),
+      .mutants = mutants(),
+      .cost = cost,
+      .typical = typical,
+      .extents = {{640, 360}, {1920, 1080}, {3840, 2160}},
+      .undecided_limit = 5e-4,
+      .undecided_reason = "pixels within rounding of a box's face: 1e-5 of the box where it is a tenth of its distance",
+      .errors = error_table(),
+  };
+}
+
+}  // namespace assay::decal_atlas_sampling

@@ -1,0 +1,4 @@
+#version 460
+// One level, worked out once for all three pages.
+#define SAMPLE_LEVEL
+#include "kernels/decal_atlas_sampling/walk.glsl"

@@ -1,0 +1,17 @@
+// A thread walks its own pixel's list: kMaxClusterEntries turns at most.
+#include "kernels/decal_atlas_sampling/lists.glsl"
+
+void main() {
+  const uvec2 pixel = gl_GlobalInvocationID.xy;
+  const float d = depth_at(pixel);
+  if (d == 0.0) return;
+  const Point p = point_at(pixel, d);
+  Material m = load_material(pixel);
+  const List l = list_of(cell_of(pixel, p.distance));
+#ifdef MUTANT_15  // the last comes first
+  for (uint i = l.end; i > l.at; --i) apply_decal(m, decal_of(entries[i - 1u]), p);
+#else
+  for (uint i = l.at; i < l.end; ++i) apply_decal(m, decal_of(entries[i]), p);
+#endif
+  store_material(pixel, m);
+}
