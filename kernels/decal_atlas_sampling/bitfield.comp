@@ -10,8 +10,8 @@ void main() {
   if (d == 0.0) return;
   const Point p = point_at(pixel, d);
   Material m = load_material(pixel);
-  const uint all_cells = params.columns * params.rows * params.slices;
-  const uint cell = cell_of(pixel, p.distance);
+  const uint all_cells = params.grid.columns * params.grid.rows * params.grid.slices;
+  const uint cell = cell_of(params.grid, pixel, d);
   const uint words = (min(params.decals, kMaxClusterDecals) + 31u) / 32u;
   for (uint w = 0u; w < words; ++w) {
     uint bits = decal_bits[w * all_cells + cell];

@@ -8,10 +8,12 @@ layout(binding = 0) uniform texture2D depth;
 layout(binding = 1) uniform texture2D depth_gradients;
 layout(binding = 2, r32ui) uniform restrict coherent uimage2D base_roughness;
 layout(binding = 3, r32ui) uniform restrict coherent uimage2D normal;
-READS(4, float, edges);
+READS(4, float, slice_edges);
 READS(5, DecalRecord, decals);
 READS(6, ReceiverRecord, receivers);
 PARAMS(DecalParams);
+
+#include "harness/glsl/clusters.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
 
@@ -42,26 +44,6 @@ Point point_at(uvec2 pixel, float d) {
   return Point(w * ray, w * params.rays.across, w * params.rays.down, w);
 #else
   return Point(w * ray, w * (params.rays.across - ray * gradient.x), w * (params.rays.down - ray * gradient.y), w);
-#endif
-}
-
-// Comparing with the table moves no boundary (formats/clusters.h). 32 turns at most.
-uint slice_of(float w) {
-  const uint slices = clamp(params.slices, 1u, kMaxClusterSlices);
-  uint slice = 0u;
-#ifdef MUTANT_2  // the last slice is never reached
-  for (uint k = 2u; k < slices; ++k) slice += edges[k] <= w ? 1u : 0u;
-#else
-  for (uint k = 1u; k < slices; ++k) slice += edges[k] <= w ? 1u : 0u;
-#endif
-  return slice;
-}
-uint cell_of(uvec2 pixel, float w) {
-  const uint column = pixel.x * params.columns / params.width, row = pixel.y * params.rows / params.height;
-#ifdef MUTANT_3  // rows are as long as columns
-  return (slice_of(w) * params.rows + row) * params.rows + column;
-#else
-  return (slice_of(w) * params.rows + row) * params.columns + column;
 #endif
 }
 #endif

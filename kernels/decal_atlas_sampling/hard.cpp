@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 
+#include "harness/clusters.h"
 #include "kernels/decal_atlas_sampling/inputs.h"
 
 namespace assay::decal_atlas_sampling {
@@ -95,7 +96,7 @@ std::vector<HardCase> box_cases() {
          }
        })},
       {"behind_the_box", "the surface is behind the box, within its sides", made([](View& v) {
-         v.params.slices = 1;  // so that it is listed
+         v.params.grid.slices = 1;  // so that it is listed
          v.decals = {decal({0, 0, -5}, {0, 0, 1}, 0, {9, 9, 1}, v.atlas, 3)};
        })},
       {"grazing", "seen at 3 degrees and less",
@@ -222,7 +223,7 @@ std::vector<HardCase> blend_cases() {
   const auto many = [](uint32_t n) {
     return made(
         [n](View& v) {
-          v.params.columns = v.params.rows = v.params.slices = 1;
+          v.params.grid = grid_over(v.extent, v.extent, 1);
           for (uint32_t i = 0; i < n; ++i) {
             v.decals.push_back(on_wall(v, i, 7, 0.01 * i));
             v.decals.back().weights = vec3(0.02f + 0.3f * static_cast<float>(i % 37 == 0));
@@ -280,7 +281,7 @@ std::vector<HardCase> cell_cases() {
            v.decals.push_back(decal({0, 0, -50}, {0, 0, 1}, 0, {99, 99, 60}, v.atlas, i));
          v.last = [](Case& c) {
            const auto p = c.params<DecalParams>();
-           const uint32_t all = p.columns * p.rows * p.slices;
+           const uint32_t all = p.grid.columns * p.grid.rows * p.grid.slices;
            std::vector<uint> entries, bits(size_t{2} * all);
            std::vector<uvec2> cells;
            for (uint32_t i = 0; i < all; ++i) {
@@ -291,6 +292,31 @@ std::vector<HardCase> cell_cases() {
            auto changed = p;
            changed.entries = all;
            c.set_params(changed);
+           c.set_input("cells", cells), c.set_input("entries", entries), c.set_input("decal_bits", bits);
+         };
+       })},
+      {"on_a_slice", "depths on the boundaries of slices, one float nearer and one farther; a decal a slice",
+       made([](View& v) {
+         v.params.grid = grid_over(v.extent, v.extent, 24);
+         const auto edges = reversed_slice_edges(slice_edges(v.params.near_plane, v.far, 24), v.params.near_plane);
+         for (uint32_t y = 0; y < v.extent.height; ++y)
+           for (uint32_t x = 0; x < v.extent.width; ++x) {
+             const float d = edges[1 + (x + y) % 22];
+             const float near_it[] = {d, std::nextafter(d, 0.0f), std::nextafter(d, 1.0f)};
+             v.depth[size_t{y} * v.extent.width + x] = near_it[x / 4 % 3];
+           }
+         for (uint32_t i = 0; i < 24; ++i)
+           v.decals.push_back(decal({0, 0, -50}, {0, 0, 1}, 0, {199, 199, 60}, v.atlas, i));
+         v.last = [](Case& c) {
+           auto p = c.params<DecalParams>();
+           std::vector<uint> entries, bits;
+           std::vector<uvec2> cells;
+           for (uint32_t i = 0; i < 24; ++i) {
+             cells.emplace_back(i, 1u << kClusterDecalShift);
+             entries.push_back(i << kClusterDecalShift), bits.push_back(1u << i);
+           }
+           p.entries = 24;
+           c.set_params(p);
            c.set_input("cells", cells), c.set_input("entries", entries), c.set_input("decal_bits", bits);
          };
        })},

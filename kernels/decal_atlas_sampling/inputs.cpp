@@ -1,5 +1,6 @@
 #include "kernels/decal_atlas_sampling/inputs.h"
 
+#include "harness/clusters.h"
 #include "harness/crop.h"
 
 namespace assay::decal_atlas_sampling {
@@ -85,8 +86,8 @@ void roughen(View& v, Pcg32& rng) {
 Case random_case(Random& r) {
   View v(random_extent(r, 32));
   v.atlas.seed = r.rng.next();
-  v.params.columns = 1 + r.rng.below(40), v.params.rows = 1 + r.rng.below(20),
-  v.params.slices = 1 + r.rng.below(kMaxClusterSlices);
+  const Extent cell = {ceil_div(v.extent.width, 1 + r.rng.below(40)), ceil_div(v.extent.height, 1 + r.rng.below(20))};
+  v.params.grid = grid_over(v.extent, cell, 1 + r.rng.below(kMaxClusterSlices));
   if (r.branch({{"hall", 0.5}, {"patches", 0.5}}) == 0)
     set_hall(v);
   else

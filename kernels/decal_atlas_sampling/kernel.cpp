@@ -11,10 +11,10 @@ Count counted(uint DecalParams::*member) {
   return [member](const Case& c) { return uint64_t{c.params<DecalParams>().*member}; };
 }
 uint64_t cells(const Case& c) {
-  const auto p = c.params<DecalParams>();
-  return uint64_t{p.columns} * p.rows * p.slices;
+  const ClusterGrid g = c.params<DecalParams>().grid;
+  return uint64_t{g.columns} * g.rows * g.slices;
 }
-uint64_t edges(const Case& c) { return uint64_t{c.params<DecalParams>().slices} + 1; }
+uint64_t edges(const Case& c) { return uint64_t{c.params<DecalParams>().grid.slices} + 1; }
 uint64_t bit_words(const Case& c) { return (uint64_t{c.params<DecalParams>().decals} + 31) / 32 * cells(c); }
 Groups per_pixel(const Case& c) { return {ceil_div(c.extent.width, 16), ceil_div(c.extent.height, 16), 1}; }
 
@@ -43,7 +43,7 @@ Cost cost(const Case& c) {
                         p.receivers * sizeof(ReceiverRecord) + cells(c) * sizeof(uvec2) + p.entries * sizeof(uint) +
                         texels,
           .bytes_written = pixels(c) * (4 + 4),
-          .operations = pixels(c) * 40};  // position 20, slice 20; what decals cost is the scene's
+          .operations = pixels(c) * 40};  // position 20, cell 20; what decals cost is the scene's
 }
 
 Bound channel_bound(const std::string& port, Unpack unpack, const std::string& prefix, std::string reason) {
@@ -70,8 +70,6 @@ std::vector<Variant> variants() {
 
 std::vector<Mutant> mutants() {
   return {{"common.glsl", 1, "every surface is square to the view", "grazing_levels"},
-          {"common.glsl", 2, "one slice less", "cells_apart"},
-          {"common.glsl", 3, "rows as long as columns", "cells_apart"},
           {"sample.glsl", 4, "coordinates go up to the rectangle's sides", "loud_neighbours"},
           {"sample.glsl", 5, "half a texel of the first level at all levels", "loud_neighbours"},
           {"sample.glsl", 6, "only the way across is minified", "gradient_of_y"},
@@ -86,6 +84,8 @@ std::vector<Mutant> mutants() {
           {"walk.glsl", 15, "the last decal of a list comes first", "order"},
           {"scalarised.comp", 16, "all of the wave take each decal", "cells_apart"},
           {"bitfield.comp", 17, "the highest bit first", "order"},
+          {"harness/glsl/clusters.glsl", 9401, "a depth on a boundary is in the slice before", "on_a_slice"},
+          {"harness/glsl/clusters.glsl", 9402, "columns as wide as rows are high", "cells_apart"},
           {"harness/glsl/gbuffer.glsl", 9301, "normals of the lower half are not folded", "normal_turned_away"},
           {"harness/glsl/gbuffer.glsl", 9302, "nor unfolded", "normal_turned_away"},
           {"harness/glsl/gbuffer.glsl", 9305, "linear colour is stored", "half_covered"},
@@ -102,12 +102,13 @@ Kernel describe() {
       .params = layout_of<DecalParams>(),
       .ports = {reads_image("depth", Format::d32_float, {"visibility.depth"}),
                 reads_image("depth_gradients", Format::rg16_float), channel("base_roughness", Format::rgba8_unorm),
-                channel("normal", Format::rg16_snorm), reads<float>("edges", edges),
+                channel("normal", Format::rg16_snorm), reads<float>("slice_edges", edges, {"scene.slice_edges"}),
                 reads<DecalRecord>("decals", counted(&DecalParams::decals)),
                 reads<ReceiverRecord>("receivers", counted(&DecalParams::receivers)),
-                only_in(kByList, reads<uvec2>("cells", cells)),
-                only_in(kByList, reads<uint>("entries", counted(&DecalParams::entries))),
-                only_in({"bitfield"}, reads<uint>("decal_bits", bit_words)), reads_textures("atlas", 3)},
+                only_in(kByList, reads<uvec2>("cells", cells, {"cluster_lists.cells"})),
+                only_in(kByList, reads<uint>("entries", counted(&DecalParams::entries), {"cluster_lists.entries"})),
+                only_in({"bitfield"}, reads<uint>("decal_bits", bit_words, {"cluster_voxelization.decal_bits"})),
+                reads_textures("atlas", 3)},
       .variants = variants(),
       .oracle = decaled,
       .inputs = {.random = random_case, .branches = branches(), .hard = hard_cases(), .smaller = smaller},

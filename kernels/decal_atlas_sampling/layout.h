@@ -7,13 +7,10 @@
 #include "harness/shared.h"
 SHARED_BEGIN(decal_atlas_sampling)
 
-// Columns and rows divide the screen evenly: pixel x is in column x * columns / width.
 struct DecalParams {
   uint width;  // pixels
   uint height;
-  uint columns;
-  uint rows;
-  uint slices;
+  ClusterGrid grid;  // of a column, a row and a slice at least
   uint decals;
   uint entries;  // of the lists
   uint receivers;
@@ -72,8 +69,7 @@ SHARED_CONST float kLeastNormal = 1e-6f;
 SHARED_CONST float kLargestNormal = 1e12f;
 
 #ifdef __cplusplus
-SHARED_LAYOUT(DecalParams, width, height, columns, rows, slices, decals, entries, receivers, near_plane, atlas_border,
-              rays);
+SHARED_LAYOUT(DecalParams, width, height, grid, decals, entries, receivers, near_plane, atlas_border, rays);
 SHARED_LAYOUT(DecalRecord, row_x, row_y, row_z, scale_bias, weights, fade_distance, tangent, normal_mode, bitangent,
               receiver, outward, page);
 SHARED_LAYOUT(ReceiverRecord, row_x, row_y, row_z);

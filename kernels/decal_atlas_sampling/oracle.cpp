@@ -61,7 +61,7 @@ Inputs inputs_of(const Case& c) {
   const std::vector<Texture>& t = c.textures.at("atlas");
   return {c.params<DecalParams>(),
           c.input<float>("depth"),
-          c.input<float>("edges"),
+          c.input<float>("slice_edges"),
           c.input<std::array<uint16_t, 2>>("depth_gradients"),
           c.input<uint32_t>("base_roughness"),
           c.input<uint32_t>("normal"),
@@ -97,17 +97,14 @@ SurfacePoint point_at(const Inputs& in, uint64_t pixel) {
 
 bool has_surface(float depth) { return depth >= kLeastDepth && std::isfinite(depth); }
 
-// One cell, or two where rounding decides which side of a boundary the depth is on.
-std::vector<uint32_t> cells_of(const Inputs& in, uint64_t pixel, Interval distance) {
-  const DecalParams& p = in.params;
-  uint32_t low = 0, high = 0;
-  for (uint32_t k = 1; k < std::clamp(p.slices, 1u, kMaxClusterSlices); ++k)
-    low += in.edges[k] <= distance.low, high += in.edges[k] <= distance.high;
-  const auto x = static_cast<uint32_t>(pixel % p.width), y = static_cast<uint32_t>(pixel / p.width);
-  const uint32_t column = x * p.columns / p.width, row = y * p.rows / p.height;
-  std::vector<uint32_t> found;
-  for (uint32_t slice = low; slice <= high; ++slice) found.push_back((slice * p.rows + row) * p.columns + column);
-  return found;
+// Depths are compared with the boundaries of slices as they are.
+uint32_t cell_of(const Inputs& in, uint64_t pixel) {
+  const ClusterGrid& g = in.params.grid;
+  uint32_t slice = 0;
+  for (uint32_t k = 1; k < g.slices; ++k)
+    if (in.depth[pixel] <= in.edges[k]) slice = k;
+  const auto x = static_cast<uint32_t>(pixel % in.params.width), y = static_cast<uint32_t>(pixel / in.params.width);
+  return (slice * g.rows + y / g.cell_height) * g.columns + x / g.cell_width;
 }
 
 std::vector<uint32_t> listed(const Inputs& in, uint32_t cell) {
@@ -119,7 +116,7 @@ std::vector<uint32_t> listed(const Inputs& in, uint32_t cell) {
   return all;
 }
 std::vector<uint32_t> marked(const Inputs& in, uint32_t cell) {
-  const uint32_t all_cells = in.params.columns * in.params.rows * in.params.slices;
+  const uint32_t all_cells = in.params.grid.columns * in.params.grid.rows * in.params.grid.slices;
   std::vector<uint32_t> all;
   for (uint32_t w = 0; w < ceil_div(std::min(in.params.decals, kMaxClusterDecals), 32); ++w)
     for (uint32_t i = 0; i < 32; ++i)
@@ -218,13 +215,12 @@ Answer decaled(const Case& c) {
       continue;
     }
     const SurfacePoint p = point_at(in, pixel);
-    for (const uint32_t cell : cells_of(in, pixel, p.distance)) {
-      const std::vector<uint32_t> from_list = listed(in, cell), from_bits = marked(in, cell);
-      const BlendedMaterial m = blended(in, pixel, p, from_list, Filtering::trilinear);
-      lists.add(m, normal);
-      taps.add(blended(in, pixel, p, from_list, Filtering::taps), normal);
-      bits.add(from_bits == from_list ? m : blended(in, pixel, p, from_bits, Filtering::trilinear), normal);
-    }
+    const uint32_t cell = cell_of(in, pixel);
+    const std::vector<uint32_t> from_list = listed(in, cell), from_bits = marked(in, cell);
+    const BlendedMaterial m = blended(in, pixel, p, from_list, Filtering::trilinear);
+    lists.add(m, normal);
+    taps.add(blended(in, pixel, p, from_list, Filtering::taps), normal);
+    bits.add(from_bits == from_list ? m : blended(in, pixel, p, from_bits, Filtering::trilinear), normal);
     for (Answers* a : {&lists, &taps, &bits}) a->end_pixel();
   }
   Answer answer;

@@ -18,7 +18,7 @@ void main() {
   if (d == 0.0) return;  // the subgroup's operations are among those that stay
   const Point p = point_at(pixel, d);
   Material m = load_material(pixel);
-  const uint cell = cell_of(pixel, p.distance);
+  const uint cell = cell_of(params.grid, pixel, d);
   if (subgroupAllEqual(cell)) {
     const List l = list_of(subgroupBroadcastFirst(cell));
     for (uint i = l.at; i < l.end; ++i) apply_decal(m, decal_of(entries[i]), p);

@@ -1,6 +1,7 @@
 // Views with decals as cases.
 #include <glm/matrix.hpp>
 
+#include "harness/clusters.h"
 #include "harness/half.h"
 #include "kernels/decal_atlas_sampling/inputs.h"
 
@@ -9,17 +10,6 @@ namespace assay::decal_atlas_sampling {
 using glm::dvec3;
 
 namespace {
-
-float rounded_up(double v) {
-  const auto f = static_cast<float>(v);
-  return double{f} < v ? std::nextafter(f, INFINITY) : f;
-}
-std::vector<float> edges_of(const DecalParams& p, double far) {
-  std::vector<float> edges;
-  for (uint32_t k = 0; k <= p.slices; ++k)
-    edges.push_back(rounded_up(p.near_plane * std::pow(far / p.near_plane, double(k) / p.slices)));
-  return edges;
-}
 
 uint16_t half_of(double v) { return half_bits(std::clamp(v, -kLargestHalf, kLargestHalf)); }
 
@@ -50,7 +40,7 @@ dvec3 moved_back(const R& r, const dvec3& q) {
 // Bounds of a box on the screen and in depth, a hundredth of it wider; all cells where a corner is behind the eye.
 CellRange cells_of(const View& v, const DecalRecord& d, const std::vector<float>& edges) {
   const DecalParams& p = v.params;
-  const uint32_t counts[3] = {p.columns, p.rows, p.slices};
+  const uint32_t counts[3] = {p.grid.columns, p.grid.rows, p.grid.slices};
   CellRange r;
   for (int i = 0; i < 3; ++i) r.last[i] = counts[i] - 1;
   dvec3 low(INFINITY), high(-INFINITY);
@@ -60,7 +50,8 @@ CellRange cells_of(const View& v, const DecalRecord& d, const std::vector<float>
     if (d.receiver < v.receivers.size()) at = moved_back(v.receivers[d.receiver], at);
     if (!(-at.z > p.near_plane && glm::length(at) < 1e12)) return r;
     const double slope = double(v.extent.height) / v.extent.width, w = -at.z;
-    const dvec3 here = {(at.x / w + 1) / 2 * p.columns, (1 - at.y / w / slope) / 2 * p.rows, w};
+    const dvec3 here = {(at.x / w + 1) / 2 * v.extent.width / p.grid.cell_width,
+                        (1 - at.y / w / slope) / 2 * v.extent.height / p.grid.cell_height, w};
     low = glm::min(low, here), high = glm::max(high, here);
   }
   for (int i = 0; i < 2; ++i) {
@@ -116,7 +107,7 @@ DecalRecord decal(const dvec3& at, const dvec3& outward, double angle, const dve
 
 View::View(Extent e) : extent(e) {
   params.width = e.width, params.height = e.height;
-  params.columns = 16, params.rows = 8, params.slices = 24;
+  params.grid = grid_over(e, coarse_cell(e), 24);
   params.near_plane = 0.5f;
   const float slope = static_cast<float>(e.height) / static_cast<float>(e.width);
   params.rays = {vec3(-1, slope, -1), vec3(2.0f / static_cast<float>(e.width), 0, 0),
@@ -150,14 +141,15 @@ dvec3 View::position(uint32_t x, uint32_t y) const {
 
 Case View::to_case() const {
   DecalParams p = params;
-  const std::vector<float> edges = edges_of(p, far);
-  const uint32_t cell_count = p.columns * p.rows * p.slices;
+  const ClusterGrid& g = p.grid;
+  const std::vector<float> edges = slice_edges(p.near_plane, far, g.slices);
+  const uint32_t cell_count = g.columns * g.rows * g.slices;
   std::vector<std::vector<uint32_t>> lists(cell_count);
   for (uint32_t i = 0; i < decals.size(); ++i) {
     const CellRange r = cells_of(*this, decals[i], edges);
     for (uint32_t z = r.first[2]; z <= r.last[2]; ++z)
       for (uint32_t y = r.first[1]; y <= r.last[1]; ++y)
-        for (uint32_t x = r.first[0]; x <= r.last[0]; ++x) lists[(z * p.rows + y) * p.columns + x].push_back(i);
+        for (uint32_t x = r.first[0]; x <= r.last[0]; ++x) lists[(z * g.rows + y) * g.columns + x].push_back(i);
   }
   const auto words = static_cast<uint32_t>((decals.size() + 31) / 32);
   std::vector<uint> bits(size_t{words} * cell_count), entries;
@@ -177,7 +169,7 @@ Case View::to_case() const {
   c.set_input("depth_gradients", gradients);
   c.set_input("base_roughness", base_roughness);
   c.set_input("normal", normal);
-  c.set_input("edges", edges);
+  c.set_input("slice_edges", reversed_slice_edges(edges, p.near_plane));
   c.set_input("decals", decals);
   c.set_input("receivers", receivers);
   c.set_input("cells", cells);

@@ -7,7 +7,7 @@ void main() {
   if (d == 0.0) return;
   const Point p = point_at(pixel, d);
   Material m = load_material(pixel);
-  const List l = list_of(cell_of(pixel, p.distance));
+  const List l = list_of(cell_of(params.grid, pixel, d));
 #ifdef MUTANT_15  // the last comes first
   for (uint i = l.end; i > l.at; --i) apply_decal(m, decal_of(entries[i - 1u]), p);
 #else

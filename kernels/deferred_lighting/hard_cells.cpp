@@ -75,8 +75,8 @@ Case no_cells() {
   return c;
 }
 
-// 640x360 pixels in cells of `cell` pixels, with 48 of 512 lights each; neighbours share half of them. For timing: a wave of 32
-// lanes is 8x4 pixels.
+// 640x360 pixels in cells of `cell` pixels, with 48 of 512 lights each; neighbours share half of them. For timing: a
+// wave of 32 lanes is 8x4 pixels.
 std::function<Case()> walked(Extent cell) {
   return [=] {
     Picture p = under_suns({640, 360}, 512);
