@@ -76,6 +76,7 @@ FacePlanes planes_of(ClusterItem item, Face face) {
   for (uint i = 0u; i < 5u; ++i) {
     const float slack = rounding(magnitudes(item, planes.normals[i]));
     planes.reach[i] = interval(item, face, planes.normals[i]) + vec2(-slack, slack);
+    if (i > 0u) planes.reach[i] = vec2(min(planes.reach[i].x, 0.0), max(planes.reach[i].y, 0.0));  // the eye is on them
   }
   const vec3 forward = vec3(0.0, 0.0, 1.0);
   const float slack = rounding(magnitudes(item, forward));

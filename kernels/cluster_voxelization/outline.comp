@@ -19,9 +19,9 @@ void add_edge(vec3 on, vec3 direction, vec3 reach) {
 #ifdef MUTANT_14  // an edge in its midst counts, as if all were on one side
   if (there.y <= room || there.x < -room) outline_planes[to + count++] = vec4(m, min(there.y, 0.0) + slack);
 #else
-  if (there.y <= room) outline_planes[to + count++] = vec4(m, there.y + slack);
+  if (there.y <= room) outline_planes[to + count++] = vec4(m, max(there.y + slack, 0.0));
 #endif
-  if (there.x >= -room) outline_planes[to + count++] = vec4(-m, -there.x + slack);
+  if (there.x >= -room) outline_planes[to + count++] = vec4(-m, max(-there.x + slack, 0.0));
 }
 
 void add_round(vec3 middle, vec3 u, vec3 v) {

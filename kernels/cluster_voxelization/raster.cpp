@@ -27,6 +27,8 @@ struct Clipped {
   dvec2 wide, narrow;
   bool may() const { return wide.x <= wide.y; }
   bool sure() const { return narrow.x <= narrow.y; }
+  // Surely; no plane through the eye keeps it away then.
+  bool has_eye() const { return sure() && narrow.x <= 0; }
 };
 
 dvec2 common(const dvec2& a, const dvec2& b) { return {std::max(a.x, b.x), std::min(a.y, b.y)}; }
@@ -76,6 +78,7 @@ Said hexahedron(const Shape& shape, const Column& at, uint z) {
     if (!said.may_keep) return said;
   }
   for (const Side& side : shape.outline) {
+    if (cell.has_eye()) break;
     said = said && by_half_space(shape.item, at, cell, side.axis, side.certain);
     if (!said.may_keep) return said;
   }
@@ -90,7 +93,7 @@ Said face_in(const Face& face, const Column& at, int z) {
   if (!cell.may()) return {false, false};
   Said said = {true, cell.sure()};
   for (const Axis& plane : face.planes) {
-    if (!said.may_keep) return said;
+    if (!said.may_keep || (cell.has_eye() && &plane != face.planes.data())) return said;
     said = said && clipped_along(face.hull, at, cell, plane, true);
   }
   return said;

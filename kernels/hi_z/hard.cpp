@@ -23,7 +23,7 @@ Case dot(Extent e, uint32_t x, uint32_t y, float value) {
 }
 
 Case of_values(std::initializer_list<float> values) {
-  std::vector<float> depth(64 * 64, 0.25f);
+  std::vector<float> depth(size_t{64} * 64, 0.25f);
   size_t i = 0;
   for (const float v : values) depth[i * 4 * 65] = v, ++i;  // in texels of their own up to level 2
   return case_of({64, 64}, depth);
@@ -53,17 +53,17 @@ std::vector<HardCase> places() {
        }},
       {"row_after_row", "a row's end and the next one's start lie side by side in memory",
        [] {
-         std::vector<float> depth(5 * 7, 0.5f);
-         for (uint32_t y = 0; y < 7; ++y) depth[y * 5] = y % 2 ? 1.0f : 0.125f;
+         std::vector<float> depth(size_t{5} * 7, 0.5f);
+         for (size_t y = 0; y < 7; ++y) depth[y * 5] = y % 2 ? 1.0f : 0.125f;
          return case_of({5, 7}, depth);
        }},
       {"all_background", "depth 0 everywhere",
        [] {
-         return case_of({70, 40}, std::vector<float>(70 * 40));
+         return case_of({70, 40}, std::vector<float>(size_t{70} * 40));
        }},
       {"all_nearest", "depth 1 everywhere: what is beyond the edges must not count as background",
        [] {
-         return case_of({70, 41}, std::vector<float>(70 * 41, 1.0f));
+         return case_of({70, 41}, std::vector<float>(size_t{70} * 41, 1.0f));
        }},
   };
 }
@@ -84,7 +84,7 @@ std::vector<HardCase> values() {
        }},
       {"all_denormal", "an order that a device which flushes them does not see",
        [] {
-         std::vector<float> depth(33 * 31);
+         std::vector<float> depth(size_t{33} * 31);
          for (size_t i = 0; i < depth.size(); ++i) depth[i] = static_cast<float>(i) * 0x1p-149f;
          return case_of({33, 31}, depth);
        }},

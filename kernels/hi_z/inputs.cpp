@@ -35,9 +35,10 @@ void add_walls(Pcg32& rng, Extent e, std::vector<float>& depth, uint32_t count) 
 }
 
 void add_floor(Extent e, std::vector<float>& depth) {
-  for (uint32_t y = e.height / 3; y < e.height; ++y)
+  const uint32_t horizon = e.height / 3;
+  for (uint32_t y = horizon; y < e.height; ++y)
     for (uint32_t x = 0; x < e.width; ++x)
-      depth[size_t{y} * e.width + x] = 0.05f * static_cast<float>(y - e.height / 3 + 1) / static_cast<float>(e.height);
+      depth[size_t{y} * e.width + x] = 0.05f * static_cast<float>(y - horizon + 1) / static_cast<float>(e.height);
 }
 
 void sprinkle(Pcg32& rng, std::vector<float>& depth, uint64_t count, std::span<const float> values) {
