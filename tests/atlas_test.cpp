@@ -211,9 +211,9 @@ TEST(Atlas, NothingBleedsThroughTheKernelAtAnyLevel) {
 
 Rgba8 cropped(const Rgba8& p, Extent e) {
   Rgba8 c = {e.width, e.height, {}};
-  for (uint32_t y = 0; y < e.height; ++y) {
-    const auto row = p.texels.begin() + static_cast<ptrdiff_t>(size_t{y} * p.width * 4);
-    c.texels.insert(c.texels.end(), row, row + e.width * 4);
+  for (size_t y = 0; y < e.height; ++y) {
+    const auto row = std::span(p.texels).subspan(y * p.width * 4, size_t{e.width} * 4);
+    c.texels.insert(c.texels.end(), row.begin(), row.end());
   }
   return c;
 }
@@ -234,6 +234,7 @@ TEST(Atlas, RealDecalsOnAWallAreWhatTheOracleFinds) {
   if (!std::filesystem::exists(folder / "decal_00_albedo.png"))
     GTEST_SKIP() << "no decals in " << folder << "; set ASSAY_DATA to the folder that holds decals/";
   std::vector<DecalPictures> decals;
+  decals.reserve(5);
   for (int i = 0; i < 5; ++i) decals.push_back(load_decal(folder, i));
   const DecalAtlas atlas = image::make_atlas(decals, 1024, 6);
   View v({320, 180});

@@ -64,9 +64,9 @@ Texel mean(const std::array<Texel, 4>& of, Format f) {
 }
 Picture halved(const Picture& p, Format f) {
   Picture h = {p.width / 2, p.height / 2, {}};
-  for (uint32_t y = 0; y < h.height; ++y)
-    for (uint32_t x = 0; x < h.width; ++x) {
-      const Texel* upper = &p.texels[size_t{2 * y} * p.width + 2 * x];
+  for (size_t y = 0; y < h.height; ++y)
+    for (size_t x = 0; x < h.width; ++x) {
+      const Texel* upper = &p.texels[2 * y * p.width + 2 * x];
       h.texels.push_back(mean({upper[0], upper[1], upper[p.width], upper[p.width + 1]}, f));
     }
   return h;

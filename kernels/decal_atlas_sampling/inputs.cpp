@@ -1,7 +1,6 @@
 #include "kernels/decal_atlas_sampling/inputs.h"
 
 #include "harness/clusters.h"
-#include "harness/crop.h"
 
 namespace assay::decal_atlas_sampling {
 
@@ -118,7 +117,7 @@ std::vector<std::string> branches() {
 std::vector<Case> smaller(const Case& c) {
   std::vector<Case> found;
   const auto params = c.params<DecalParams>();
-  if (params.decals > 0) {  // the later half of the decals is out of all boxes
+  if (params.decals > 0) {
     Case part = c;
     const auto all = c.input<DecalRecord>("decals");
     std::vector<DecalRecord> kept(all.begin(), all.end());

@@ -7,7 +7,7 @@ namespace assay::decal_atlas_sampling {
 Case random_case(Random&);
 std::vector<std::string> branches();
 std::vector<HardCase> hard_cases();
-std::vector<Case> smaller(const Case&);  // fewer decals, then fewer pixels
+std::vector<Case> smaller(const Case&);  // the later half of the decals in no pixel
 Case typical(Extent);                    // 256 decals on floor and walls, one or two to a pixel
 // Base colour against the mean over a pixel's ellipse.
 ErrorTable error_table();

@@ -117,7 +117,7 @@ Kernel describe() {
       .cost = cost,
       .typical = typical,
       .extents = {{640, 360}, {1920, 1080}, {3840, 2160}},
-      .undecided_limit = 5e-4,
+      .undecided_limit = 2e-4,
       .undecided_reason = "pixels within rounding of a box's face: 1e-5 of the box where it is a tenth of its distance",
       .errors = error_table(),
   };

@@ -79,8 +79,8 @@ Intervals3 intervals(const vec3& v) { return {exactly(v.x), exactly(v.y), exactl
 
 SurfacePoint point_at(const Inputs& in, uint64_t pixel) {
   const ViewRays& r = in.params.rays;
-  const Interval x = exactly(static_cast<double>(pixel % in.params.width) + 0.5),
-                 y = exactly(static_cast<double>(pixel / in.params.width) + 0.5);
+  const uint64_t column = pixel % in.params.width, line = pixel / in.params.width;
+  const Interval x = exactly(static_cast<double>(column) + 0.5), y = exactly(static_cast<double>(line) + 0.5);
   SurfacePoint p;
   p.distance = exactly(in.params.near_plane) / exactly(in.depth[pixel]);
   const double gx = half_value(in.gradients[pixel][0]), gy = half_value(in.gradients[pixel][1]);
