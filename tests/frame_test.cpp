@@ -138,6 +138,20 @@ TEST(Frame, EveryKernelAgreesWithItsOracleOverWhatTheOthersWrote) {
   }
 }
 
+TEST(Frame, TheDepthPyramidIsOfTheDepthThatWasDrawn) {
+  const scene::Scene s = scene::small();
+  const Extent size = {323, 201};
+  const auto gathered = scene::gather(s, scene::default_camera(s), size);
+  const std::vector<std::string> goals = {"hi_z.ranges"};
+  const Result r = draw(s, {.size = size, .goals = goals, .warm_up = false});
+  const auto graph =
+      frame::build_graph({.kernels = all_kernels(),
+                          .view = {.extent = size, .scene = gathered.counts, .shaders = gathered.shaders},
+                          .scene = frame::scene_bytes(gathered),
+                          .goals = goals});
+  expect_as_by_oracle(graph, r, gathered, "hi_z");
+}
+
 TEST(Frame, EveryVariantDrawsTheSamePicture) {
   const scene::Scene s = scene::small();
   const Result usual = draw_at(s, {200, 150}, "workload");
