@@ -19,7 +19,11 @@ void main() {
 #else
     const uint bits = params.first + word * 4u + i;
 #endif
+#ifdef MUTANT_6  // seven bits apart
+    four |= slice_at(uintBitsToFloat(bits)) << (7u * i);
+#else
     four |= slice_at(uintBitsToFloat(bits)) << (8u * i);
+#endif
   }
 #ifdef MUTANT_2  // the last word is left as it was
   if (word + 1u < params.words) slices[word] = four;

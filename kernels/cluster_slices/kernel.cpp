@@ -42,6 +42,7 @@ Kernel describe() {
       .bounds = {exact("slices", "comparisons alone, no arithmetic on depths")},
       .mutants = {{"common.glsl", 1, "the second depth twice", "boundary_3"},
                   {"common.glsl", 2, "the last word is left as it was", "one_word"},
+                  {"common.glsl", 6, "depths seven bits apart", "one_group_and_one"},
                   {"count.comp", 3, "the last slice's beginning is not asked", "boundary_23"},
                   {"count.comp", 4, "< for <=", "boundary_1"},
                   {"count.comp", 5, "the first boundary counts too", "boundary_3"},
