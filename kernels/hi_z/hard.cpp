@@ -129,7 +129,7 @@ std::vector<Mutant> mutants() {
       {"tile.glsl", 7, "three of four in shared memory", "end_of_a_tile"},
       {"tile_subgroup.glsl", 8, "the lower two of four lanes are left out", "end_of_a_tile"},
       {"tile_subgroup.glsl", 9, "a lane's texel where its subgroup's should be", "size_1921x1081"},
-      {"last_group.comp", 10, "the last group but one makes the upper levels", "size_1921x1081"},
+      {"last_group.comp", 10, "a group does not count itself, none is the last", "size_1921x1081"},
       {"last_group.comp", 11, "the last level is left out", "size_1921x1081"},
   };
 }

@@ -13,8 +13,8 @@ void main() {
   memoryBarrierBuffer();
   barrier();
   const uint thread = gl_LocalInvocationID.x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
-#ifdef MUTANT_10  // the last but one goes on
-  if (thread == 0u) is_last = atomicAdd(groups_done[0], 1u) + 2u == groups;
+#ifdef MUTANT_10  // the group itself is not counted
+  if (thread == 0u) is_last = atomicAdd(groups_done[0], 1u) == groups;
 #else
   if (thread == 0u) is_last = atomicAdd(groups_done[0], 1u) + 1u == groups;
 #endif
