@@ -73,7 +73,9 @@ Loop make_loop(device::Device& d, const device::Plan& plan, const Case& c) {
   Loop loop;
   add_set(d, loop, plan, c);
   const uint64_t affordable = std::max<uint64_t>(kMostMemory / std::max<uint64_t>(memory_of(loop.ports[0]), 1), 1);
-  const uint64_t sets = std::min({span / touched + 1, affordable, kMostSets});
+  const uint64_t needed = span / touched + 1;
+  // Where not even the most sets leave the cache, one says as much.
+  const uint64_t sets = needed > kMostSets ? 1 : std::min(needed, affordable);
   while (loop.sets.size() < sets) add_set(d, loop, plan, c);
   loop.dispatches = static_cast<uint32_t>(std::ranges::count_if(loop.sets.front(), is_work));
   loop.rotated_bytes = touched * sets;
