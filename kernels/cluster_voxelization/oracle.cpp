@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "harness/parallel.h"
 #include "kernels/cluster_voxelization/raster.h"
 
 namespace assay::cluster_voxelization {
@@ -37,11 +38,12 @@ void visit_pairs(const Case& c, uint first, uint count, Visit visit) {
   }
 }
 
-void answer_kind(const Case& c, Answer& answer, const std::string& kind, uint first, uint count) {
-  const uint64_t cells = grid_of(c).cells(), all = words(count) * cells;
-  Bits two_way(all), exact(all);
-  visit_pairs(c, first, count,
+// The cells of items first + begin to first + end - 1, numbered from `first`.
+void answer_items(const Case& c, Bits& two_way, Bits& exact, uint first, uint begin, uint end) {
+  const uint64_t cells = grid_of(c).cells();
+  visit_pairs(c, first + begin, end - begin,
               [&](uint i, uint64_t at, const Item& item, const Edges& e, uint x, uint y, uint z, bool sure) {
+                i += begin;
                 const Cell cell = e.cell(x, y, z);
                 const Said faces = by_faces(item, cell);
                 if (!faces.may_keep) return;
@@ -52,6 +54,16 @@ void answer_kind(const Case& c, Answer& answer, const std::string& kind, uint fi
                 if (touch) exact.set(exact.low, i, at, cells);
                 if (touch || (sure && faces.must_keep)) two_way.set(two_way.low, i, at, cells);
               });
+}
+
+// Words of different items are different words.
+void answer_kind(const Case& c, Answer& answer, const std::string& kind, uint first, uint count) {
+  const uint64_t all = words(count) * grid_of(c).cells();
+  Bits two_way(all), exact(all);
+  in_parallel(words(count), [&](uint64_t w) {
+    const uint begin = static_cast<uint>(w) * 32;
+    answer_items(c, two_way, exact, first, begin, std::min(begin + 32, count));
+  });
   answer["two_way_" + kind] = expect_bits(two_way);
   answer["exact_" + kind] = expect_bits(exact);
   answer_raster(c, answer, kind, first, count, two_way.high);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "harness/parallel.h"
 #include "kernels/cluster_voxelization/outline.h"
 
 namespace assay::cluster_voxelization {
@@ -178,27 +179,32 @@ void answer_column(const Pair& pair, const Shape& shape, const Bounds& bounds, C
   }
 }
 
+void answer_item(const Case& c, const Edges& e, uint first, const std::vector<uint>& may_touch, uint i, Answers& to) {
+  const ClusterItem& raw = c.input<ClusterItem>("items")[first + i];
+  if (!is_usable(raw)) return;
+  const auto p = c.params<ClusterParams>();
+  const auto ranges = c.input<vec2>("depth_ranges").subspan(p.first_range);
+  Shape shape{.item = item_of(raw), .outline = {}, .faces = {}, .inside = {}};
+  shape.outline = outline_of(raw, shape.item), shape.faces = faces_of(raw, shape.item);
+  shape.inside = eye_inside(shape.item);
+  const Bounds bounds = bounds_of(shape.item, e);
+  for (uint y = bounds.rows.first; y <= bounds.rows.last; ++y)
+    for (uint x = bounds.columns.first; x <= bounds.columns.last; ++x)
+      answer_column({i, e.grid.cells(), may_touch}, shape, bounds, {e, x, y, {}},
+                    depths_of(ranges[size_t{y} * e.grid.columns + x], p.near_plane), to);
+}
+
 }  // namespace
 
 void answer_raster(const Case& c, Answer& answer, const std::string& kind, uint first, uint count,
                    const std::vector<uint>& may_touch) {
   const Edges e{grid_of(c), c.input<float>("edges")};
-  const auto items = c.input<ClusterItem>("items");
-  const auto ranges = c.input<vec2>("depth_ranges").subspan(c.params<ClusterParams>().first_range);
-  const uint64_t cells = e.grid.cells(), all = words(count) * cells;
+  const uint64_t all = words(count) * e.grid.cells();
   Answers to{Bits(all), Bits(all), Bits(all)};
-  for (uint i = 0; i < count; ++i) {
-    const ClusterItem& raw = items[first + i];
-    if (!is_usable(raw)) continue;
-    Shape shape{.item = item_of(raw), .outline = {}, .faces = {}, .inside = {}};
-    shape.outline = outline_of(raw, shape.item), shape.faces = faces_of(raw, shape.item);
-    shape.inside = eye_inside(shape.item);
-    const Bounds bounds = bounds_of(shape.item, e);
-    for (uint y = bounds.rows.first; y <= bounds.rows.last; ++y)
-      for (uint x = bounds.columns.first; x <= bounds.columns.last; ++x)
-        answer_column({i, cells, may_touch}, shape, bounds, {e, x, y, {}},
-                      depths_of(ranges[size_t{y} * e.grid.columns + x], c.params<ClusterParams>().near_plane), to);
-  }
+  in_parallel(words(count), [&](uint64_t w) {
+    for (uint i = static_cast<uint>(w) * 32; i < std::min(static_cast<uint>(w) * 32 + 32, count); ++i)
+      answer_item(c, e, first, may_touch, i, to);
+  });
   answer["hexahedra_" + kind] = expect_bits(to.hexahedra);
   answer["hi_z_" + kind] = expect_bits(to.hi_z);
   answer["two_pass_" + kind] = expect_bits(to.two_pass);
