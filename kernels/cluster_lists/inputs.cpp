@@ -1,5 +1,7 @@
 #include "kernels/cluster_lists/inputs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 
@@ -131,8 +133,35 @@ HardCase sized(const std::string& name, const std::string& why, uint32_t cells) 
           }};
 }
 
+// That all cells ask for.
+uint32_t entries_of(const Grid& g) {
+  uint32_t entries = 0;
+  for (uint32_t cell = 0; cell < g.cells; ++cell) {
+    uint32_t longest = 0;
+    for (uint32_t kind = 0; kind < 3; ++kind) {
+      uint32_t items = 0;
+      for (uint32_t w = 0; w < g.words(kind); ++w)
+        items += static_cast<uint32_t>(std::popcount(g.bits[kind][size_t{w} * g.cells + cell]));
+      longest = std::max(longest, items);
+    }
+    entries += longest;
+  }
+  return entries;
+}
+
+Grid many(uint32_t n, bool fine) {
+  Grid g(n, n, n / 16, fine ? 120 * 68 * 24 : 16 * 8 * 24);
+  Pcg32 rng(0x1157);
+  for (uint32_t cell = 0; cell < g.cells; ++cell)
+    for (uint32_t kind = 0; kind < 3; ++kind)
+      for (uint32_t i = 0, first = cell / 16 * 8 % n; i < 64; ++i)
+        if (rng.below(8) == 0) g.set(kind, cell, (first + i) % g.items(kind));
+  g.capacity = entries_of(g);
+  return g;
+}
+
 std::vector<HardCase> hard_cases() {
-  return {
+  std::vector<HardCase> cases = {
       sized("one_cell", "one thread of one group is alive", 1),
       sized("one_block", "exactly one block of the sum", kBlock),
       sized("one_block_less_one", "the last thread of the block has no cell", kBlock - 1),
@@ -205,46 +234,20 @@ std::vector<HardCase> hard_cases() {
          sprinkle(g, rng, 2), g.capacity = 5005;
          return g.to_case();
        }},
-      {"coarse_full_hd", "16x8x24 cells of 4096, 4096 and 256 items",
-       [] {
-         return typical({1920, 1080});
-       }},
-      {"fine_ultra_hd", "120x68x24 cells of 4096, 4096 and 256 items: 207 MB of bits",
-       [] {
-         return typical({3840, 2160});
-       },
-       true},
   };
-}
-
-// That all cells ask for.
-uint32_t entries_of(const Grid& g) {
-  uint32_t entries = 0;
-  for (uint32_t cell = 0; cell < g.cells; ++cell) {
-    uint32_t longest = 0;
-    for (uint32_t kind = 0; kind < 3; ++kind) {
-      uint32_t items = 0;
-      for (uint32_t w = 0; w < g.words(kind); ++w)
-        items += static_cast<uint32_t>(std::popcount(g.bits[kind][size_t{w} * g.cells + cell]));
-      longest = std::max(longest, items);
-    }
-    entries += longest;
-  }
-  return entries;
+  // How time grows with items: as many lights as decals, a sixteenth as many probes.
+  for (uint32_t n = kMaxClusterLights; n >= 256; n /= 2)
+    for (const bool fine : {false, true})
+      cases.push_back({fmt::format("{}_{}", fine ? "fine" : "coarse", n),
+                       fmt::format("{0}, {0} and {1} items in {2}x24 cells", n, n / 16, fine ? "120x68" : "16x8"),
+                       [=] { return many(n, fine).to_case(); }, fine || n < kMaxClusterLights});
+  return cases;
 }
 
 }  // namespace
 
 Case typical(Extent e) {
-  const uint32_t n = e.width >= 1920 ? 4096 : 256;
-  Grid g(n, n, n / 16, e.width >= 3840 ? 120 * 68 * 24 : 16 * 8 * 24);
-  Pcg32 rng(0x1157);
-  for (uint32_t cell = 0; cell < g.cells; ++cell)
-    for (uint32_t kind = 0; kind < 3; ++kind)
-      for (uint32_t i = 0, first = cell / 16 * 8 % n; i < 64; ++i)
-        if (rng.below(8) == 0) g.set(kind, cell, (first + i) % g.items(kind));
-  g.capacity = entries_of(g);
-  Case c = g.to_case("typical");
+  Case c = many(e.width >= 1920 ? 4096 : 256, e.width >= 3840).to_case("typical");
   c.extent = e;
   return c;
 }

@@ -1,4 +1,6 @@
 // Named hard cases.
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "kernels/cluster_voxelization/inputs.h"
@@ -192,12 +194,20 @@ std::vector<HardCase> grids() {
          return c;
        }},
   };
-  cases.push_back({"most_items", "4096 lights, 4096 decals and 256 probes in 16x8x24 cells",
+  // How time grows with items: as many lights as decals, a sixteenth as many probes.
+  for (uint n = kMaxClusterLights; n >= 256; n /= 2)
+    for (const bool fine : {false, true})
+      cases.push_back(
+          {fmt::format("{}_{}", fine ? "fine" : "coarse", n),
+           fmt::format("{0} lights, {0} decals, {1} probes in {2}x24 cells", n, n / 16, fine ? "120x68" : "16x8"),
+           [=] { return many(n, fine).to_case(); }, true});
+  cases.push_back({"lights_1024", "1024 lights in 16x8x24 cells",
                    [] {
-                     return typical({1920, 1080});
+                     Scene s = many(1024, false);
+                     s.decals.clear(), s.probes.clear();
+                     return s.to_case();
                    },
                    true});
-  cases.push_back({"most_items_and_cells", "and in 120x68x24", [] { return typical({3840, 2160}); }, true});
   return cases;
 }
 

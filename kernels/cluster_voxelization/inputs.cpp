@@ -86,10 +86,9 @@ ClusterItem random_spot(Pcg32& rng, const Scene& s, double radius, double half_a
   return pyramid(in_view(rng, s), rotation(rng)[2] * radius, std::tan(half_angle_deg * kPi / 180));
 }
 
-Case typical(Extent e) {
+Scene many(uint n, bool fine) {
   Scene s;
-  if (e.width >= 3840) s.columns = 120, s.rows = 68;
-  const uint n = e.width >= 1920 ? 4096 : 256;
+  if (fine) s.columns = 120, s.rows = 68;
   Pcg32 rng(0xc105);
   for (uint i = 0; i < n; ++i) {
     s.lights.push_back(i % 4 == 0 ? random_box(rng, s, rng.range(1, 4), 2)
@@ -97,7 +96,11 @@ Case typical(Extent e) {
     s.decals.push_back(random_box(rng, s, rng.range(0.1, 1), 6));
   }
   for (uint i = 0; i < n / 16; ++i) s.probes.push_back(random_box(rng, s, rng.range(2, 10), 3));
-  Case c = s.to_case();
+  return s;
+}
+
+Case typical(Extent e) {
+  Case c = many(e.width >= 1920 ? 4096 : 256, e.width >= 3840).to_case();
   c.extent = e;
   return c;
 }

@@ -36,6 +36,8 @@ glm::dmat3 rotation(Pcg32&);
 // degrees.
 ClusterItem random_box(Pcg32&, const Scene&, double radius, double aspect);
 ClusterItem random_spot(Pcg32&, const Scene&, double radius, double half_angle_deg);
+// `n` lights and decals, a sixteenth as many probes, in 16x8x24 cells or, fine, 120x68x24.
+Scene many(uint n, bool fine);
 std::vector<HardCase> hard_cases();
 std::vector<HardCase> raster_cases();
 
