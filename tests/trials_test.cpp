@@ -37,6 +37,14 @@ TEST(Trials, SmallTrialsAreNotEnough) {
   EXPECT_EQ(complaints(c), std::vector<std::string>{"49 of 1000 trials hold over 100,000 items, under 5 %"});
 }
 
+TEST(Trials, EveryGeneratorIsSound) {
+  for (const Kernel& kernel : all_kernels()) {
+    Coverage coverage;
+    for (uint64_t seed = 0; seed < 1000; ++seed) note(coverage, check::random_case(kernel, seed));
+    EXPECT_EQ(check::complaints(coverage, kernel.inputs.branches), std::vector<std::string>{}) << kernel.name;
+  }
+}
+
 TEST(Trials, FewTrialsProveNothingButUndeclaredBranchesDo) {
   Coverage c{.trials = 10, .branches = {{"even", 10}}};
   EXPECT_TRUE(complaints(c).empty());
@@ -47,25 +55,33 @@ TEST(Trials, FewTrialsProveNothingButUndeclaredBranchesDo) {
 
 TEST(Trials, SizesAreNoted) {
   Coverage c;
-  check::note(c, {.input = {.extent = {129, 129}}, .items = uint64_t{129} * 129, .taken = {"odd"}});
-  check::note(c, {.input = {.extent = {1000, 128}}, .items = 128000, .taken = {"odd"}});
+  check::note(c, {.items = uint64_t{129} * 129, .wide = true, .taken = {"odd"}});
+  check::note(c, {.items = 128000, .taken = {"odd"}});
   EXPECT_EQ(c.trials, 2u);
   EXPECT_EQ(c.wide, 1u);
   EXPECT_EQ(c.large, 1u);
   EXPECT_EQ(c.branches.at("odd"), 2u);
 }
 
-TEST(Trials, ItemsArePixelsOrTheLongestInput) {
-  Kernel kernel{.name = "k", .ports = {reads<glm::uvec4>("list", fixed(20)), writes<uint32_t>("out", pixels)}};
-  kernel.inputs.random = [](Random&) {
-    Case c{.extent = {3, 5}};
-    c.set_input("list", std::vector<glm::uvec4>(20));
-    return c;
-  };
-  const check::Trial trial = check::random_case(kernel, 77);
+check::Trial trial_of(std::vector<Port> ports, Extent extent) {
+  Kernel kernel{.name = "k", .ports = std::move(ports)};
+  kernel.inputs.random = [extent](Random&) { return Case{.extent = extent}; };
+  return check::random_case(kernel, 77);
+}
+
+TEST(Trials, ItemsArePixelsOrTheLongestBuffer) {
+  const check::Trial trial = trial_of({reads<glm::uvec4>("list", fixed(20)), writes<uint32_t>("out", pixels)}, {3, 5});
   EXPECT_EQ(trial.items, 20u);
   EXPECT_EQ(trial.input.seed, 77u);
   EXPECT_EQ(trial.input.name, "seed77");
+}
+
+TEST(Trials, OfAScreenBothSidesAreWideElseItsItemsAreMany) {
+  const Port screen = reads_image("depth", Format::d32_float), list = writes<uint32_t>("out", pixels);
+  EXPECT_TRUE(trial_of({screen}, {129, 129}).wide);
+  EXPECT_FALSE(trial_of({screen, list}, {20000, 128}).wide);
+  EXPECT_TRUE(trial_of({list}, {16385, 1}).wide);
+  EXPECT_FALSE(trial_of({list}, {16384, 1}).wide);
 }
 
 Kernel list_kernel() {

@@ -64,13 +64,21 @@ std::vector<NamedCase> cases_named(const Kernel& kernel, const fs::path& fixture
 
 namespace {
 
-// A kernel may work on lists rather than pixels.
+constexpr uint32_t kWidePixels = 4 * 32;
+
+// A kernel may work on lists or cells rather than pixels.
 uint64_t items_of(const Kernel& kernel, const Case& c) {
   uint64_t items = pixels(c);
-  for (const auto& [port, bytes] : c.inputs)
-    if (const Port& p = port_of(kernel, port); p.kind == PortKind::buffer)
-      items = std::max<uint64_t>(items, bytes.size() / p.layout.stride);
+  for (const Port& p : kernel.ports)
+    if (p.kind == PortKind::buffer && p.count) items = std::max(items, p.count(c));
   return items;
+}
+
+bool is_wide(const Kernel& kernel, const Trial& trial) {
+  const Extent e = trial.input.extent;
+  if (std::ranges::find(kernel.ports, PortKind::image, &Port::kind) == kernel.ports.end())
+    return trial.items > uint64_t{kWidePixels} * kWidePixels;
+  return e.width > kWidePixels && e.height > kWidePixels;
 }
 
 }  // namespace
@@ -81,13 +89,13 @@ Trial random_case(const Kernel& kernel, uint64_t seed) {
   trial.input.seed = seed;
   trial.input.name = fmt::format("seed{}", seed);
   trial.items = items_of(kernel, trial.input);
+  trial.wide = is_wide(kernel, trial);
   trial.taken = std::move(random.taken);
   return trial;
 }
 
 namespace {
 
-constexpr uint32_t kWidePixels = 4 * 32;
 constexpr uint64_t kLargeItems = 100000;
 constexpr uint64_t kEnoughTrials = 1000;
 
@@ -95,7 +103,7 @@ constexpr uint64_t kEnoughTrials = 1000;
 
 void note(Coverage& coverage, const Trial& trial) {
   ++coverage.trials;
-  coverage.wide += trial.input.extent.width > kWidePixels && trial.input.extent.height > kWidePixels;
+  coverage.wide += trial.wide;
   coverage.large += trial.items > kLargeItems;
   for (const std::string& branch : trial.taken) ++coverage.branches[branch];
 }

@@ -30,7 +30,8 @@ std::string kernel_of_case(const std::filesystem::path&);
 
 struct Trial {
   Case input;
-  uint64_t items = 0;  // pixels, or elements of the largest input where that is more
+  uint64_t items = 0;  // pixels, or elements of the largest buffer where that is more
+  bool wide = false;   // over 4 tiles a side; of a kernel without images as many items
   std::set<std::string> taken;
 };
 Trial random_case(const Kernel&, uint64_t seed);

@@ -109,7 +109,7 @@ namespace {
 
 Scene random_grid(Random& r) {
   Scene s;
-  switch (r.branch({{"grid_tiny", 0.2}, {"grid_usual", 0.5}, {"grid_fine", 0.2}, {"grid_any", 0.1}})) {
+  switch (r.branch({{"grid_tiny", 0.15}, {"grid_usual", 0.42}, {"grid_fine", 0.3}, {"grid_any", 0.13}})) {
     case 0:
       s.columns = 1 + r.rng.below(3), s.rows = 1 + r.rng.below(3), s.slices = 1 + r.rng.below(3);
       break;
