@@ -352,7 +352,7 @@ void expect_same_light(const scene::Scene& s, Extent size) {
       EXPECT_GT(counts.entries, 0u);
     }
   o.clusters = "fine", o.variants["deferred_lighting"] = "clustered";
-  for (const std::string culler : {"hexahedra_raster", "hexahedra_hi_z", "two_pass_raster"}) {
+  for (const std::string culler : {"hexahedra_raster", "hexahedra_hi_z", "two_pass_raster", "smaller_list"}) {
     o.variants["cluster_voxelization"] = culler;
     EXPECT_EQ(draw(s, o).downloads.at(radiance), all.downloads.at(radiance)) << culler;
   }

@@ -90,6 +90,13 @@ std::vector<HardCase> depths() {
       {"background_alone", "no surface, no cell", [] { return with_depths(crowd(16, 8, 24), 0, 0); }},
       {"surfaces_in_one_slice", "full depth, and the surfaces in a tenth of it",
        [] { return with_depths(crowd(60, 34, 1), 0.3f / 11, 0.3f / 10); }},
+      {"leaps_of_depth", "columns that see 2 m and 200 m, and columns that see a wall: either list is the shorter",
+       [] {
+         Scene s = crowd(20, 11, 24);
+         for (uint i = 0; i < 20 * 11; ++i)
+           s.depth_ranges.push_back(i % 3 ? vec2(0.3f / 11, 0.3f / 10) : vec2(0.3f / 200, 0.3f / 2));
+         return s.to_case();
+       }},
       {"odd_depths", "NaN, infinite, negative, swapped, denormal: what says nothing keeps nothing away",
        [=] {
          Scene s = crowd(16, 8, 24);
@@ -139,10 +146,15 @@ std::vector<Mutant> mutants() {
       {"raster.glsl", 12, "a slice has its near end alone", "kinds_31_33_1"},
       {"raster.glsl", 15, "a bin ends a column and a row early", "last_of_a_bin"},
       {"outline.comp", 14, "an edge in the item's midst counts", "camera_inside"},
-      {"mark_hexahedra.glsl", 16, "the barrier before the list is read is dropped", "one_cell"},
+      {"hexahedra.glsl", 16, "the barrier before the list is read is dropped", "one_cell"},
       {"mark_hexahedra.glsl", 17, "the barrier before the words are written is dropped", "one_cell"},
       {"depths.glsl", 18, "nearest and farthest swapped", "surfaces_between"},
       {"depths.glsl", 19, "the background behind surfaces is forgotten", "surfaces_before_the_background"},
+      {"tile_lists.comp", 26, "a list is as long as its last word", "kinds_31_33_1"},
+      {"tile_lists.comp", 27, "the barrier before the lists are written is dropped", "one_cell"},
+      {"smaller_list.comp", 28, "the list of the slice before", "surfaces_between"},
+      {"smaller_list.comp", 29, "the longer list", "surfaces_between"},
+      {"lists.glsl", 30, "bins of whole columns alone", "last_of_a_bin"},
       {"mark_two_pass.comp", 20, "the eye is never inside", "camera_inside"},
       {"mark_two_pass.comp", 21, "the last face's slice for the farthest", "kinds_31_33_1"},
       {"mark_two_pass.comp", 22, "the farthest slice is left out", "one_cell"},

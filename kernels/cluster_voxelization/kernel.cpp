@@ -17,6 +17,12 @@ uint64_t outline_planes(const Case& c) { return items(c) * kMaxOutline; }
 uint64_t depth_ranges(const Case& c) {
   return c.params<ClusterParams>().first_range + uint64_t{grid_of(c).columns} * grid_of(c).rows;
 }
+// Of columns, and of bins and slices.
+uint64_t lists(const Case& c) {
+  const Grid g = grid_of(c);
+  return uint64_t{g.columns} * g.rows + uint64_t{ceil_div(g.columns, kBinSide)} * ceil_div(g.rows, kBinSide) * g.slices;
+}
+uint64_t list_lengths(const Case& c) { return 3 * lists(c); }
 uint64_t light_bits(const Case& c) { return words(item_counts(c).lights) * grid_of(c).cells(); }
 uint64_t decal_bits(const Case& c) { return words(item_counts(c).decals) * grid_of(c).cells(); }
 uint64_t probe_bits(const Case& c) { return words(item_counts(c).probes) * grid_of(c).cells(); }
@@ -27,6 +33,10 @@ uint32_t all_words(const Case& c) {
   return static_cast<uint32_t>(words(n.lights) + words(n.decals) + words(n.probes));
 }
 Groups per_word_and_slice(const Case& c) { return {all_words(c), grid_of(c).slices}; }
+uint64_t list_bits(const Case& c) { return all_words(c) * lists(c); }
+Groups per_word_and_64_cells(const Case& c) {
+  return {static_cast<uint32_t>((grid_of(c).cells() + 63) / 64), all_words(c)};
+}
 Groups per_word_and_bin(const Case& c) {
   return {all_words(c), ceil_div(grid_of(c).columns, kBinSide) * ceil_div(grid_of(c).rows, kBinSide)};
 }
@@ -91,9 +101,14 @@ std::vector<Variant> variants() {
               "and between the nearest and the farthest surface of the column"),
       variant("two_pass_raster", marked("mark_two_pass.comp", per_word_and_bin),
               bounds("two_pass", "all that touches; beyond, what lies between the faces' slices in a column"),
-              "faces that look away store the farthest slice, those that look at the eye walk there")};
+              "faces that look away store the farthest slice, those that look at the eye walk there"),
+      variant("smaller_list",
+              {Clear{"list_lengths"}, Dispatch{"outline.comp", per_64_items},
+               Dispatch{"tile_lists.comp", per_word_and_bin}, Dispatch{"smaller_list.comp", per_word_and_64_cells}},
+              bounds("smaller", "all that touches a cell's part between the column's surfaces; beyond, of either list"),
+              "the shorter of a column's list at its surfaces' depths and that of a bin of 8x8 columns and a slice")};
   all.front().baseline = true;
-  all.back().constants = {{"THREADS", {256, 64}}};
+  all[5].constants = {{"THREADS", {256, 64}}};
   return all;
 }
 
@@ -106,11 +121,14 @@ std::vector<Port> ports() {
                            writes<Outline>("outlines", items),
                            writes<vec4>("outline_planes", outline_planes),
                            writes<uint>("dropped_items", fixed(1)),
+                           writes<uint>("list_bits", list_bits),
+                           writes<uint>("list_lengths", list_lengths),
                            writes<uint>("light_bits", light_bits),
                            writes<uint>("decal_bits", decal_bits),
                            writes<uint>("probe_bits", probe_bits)};
-  all[2].only_in = {"hexahedra_hi_z"};
-  all[5].only_in = all[6].only_in = {"hexahedra_raster", "hexahedra_hi_z"};
+  all[2].only_in = {"hexahedra_hi_z", "smaller_list"};
+  all[5].only_in = all[6].only_in = {"hexahedra_raster", "hexahedra_hi_z", "smaller_list"};
+  all[8].only_in = all[9].only_in = {"smaller_list"};
   return all;
 }
 

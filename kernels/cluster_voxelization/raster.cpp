@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "harness/parallel.h"
-#include "kernels/cluster_voxelization/outline.h"
+#include "kernels/cluster_voxelization/hexahedron.h"
 
 namespace assay::cluster_voxelization {
 
@@ -22,69 +22,6 @@ Depths depths_of(const vec2& reversed, float near_plane) {
 }
 
 namespace {
-
-// A cell as wide as a device may take it, and as narrow; either may be nothing.
-struct Clipped {
-  dvec2 wide, narrow;
-  bool may() const { return wide.x <= wide.y; }
-  bool sure() const { return narrow.x <= narrow.y; }
-  // Surely; no plane through the eye keeps it away then.
-  bool has_eye() const { return sure() && narrow.x <= 0; }
-};
-
-dvec2 common(const dvec2& a, const dvec2& b) { return {std::max(a.x, b.x), std::min(a.y, b.y)}; }
-
-struct Column {  // of the screen: a column and a row
-  const Edges& edges;
-  uint x, y;
-  Depths depths;
-
-  // A slice, to the depths of the column and of a hull; a device may give the hull twice its room.
-  // Slice -1: what lies before the first; one past the last: what lies beyond.
-  Clipped slice(int z, const Item& hull) const {
-    const int slices = static_cast<int>(edges.grid.slices);
-    const dvec2 all(z < 0 ? 0 : edges.slice(static_cast<uint>(z)),
-                    z == slices ? HUGE_VAL : edges.slice(static_cast<uint>(z + 1)));
-    const dvec2 of_hull = interval(hull, dvec3(0, 0, 1));
-    const double room = 2 * (kRounding * hull.reach.z + kTiny);
-    return {common(all, common(depths.wide, of_hull + dvec2(-room, room))), common(all, common(depths.exact, of_hull))};
-  }
-};
-
-Said clipped_along(const Item& hull, const Column& at, const Clipped& z, const Axis& axis, bool both) {
-  if (!along(hull, at.edges.cell(at.x, at.y, z.wide), axis, both).may_keep) return {false, false};
-  return {true, z.sure() && along(hull, at.edges.cell(at.x, at.y, z.narrow), axis, both).must_keep};
-}
-
-// Half-spaces of which a device has some and may have others.
-Said by_half_space(const Item& hull, const Column& at, const Clipped& z, const Axis& axis, bool certain) {
-  if (!std::isfinite(axis.off.x)) return {true, false};
-  const Said said = clipped_along(hull, at, z, axis, false);
-  return {said.may_keep || !certain, said.must_keep};
-}
-
-struct Shape {
-  Item item;
-  std::vector<Side> outline;
-  std::vector<Face> faces;
-  Facing inside;
-};
-
-Said hexahedron(const Shape& shape, const Column& at, uint z) {
-  const Clipped cell = at.slice(static_cast<int>(z), shape.item);
-  if (!cell.may()) return {false, false};
-  Said said = {true, cell.sure()};
-  for (const Axis& face : shape.item.faces) {
-    said = said && by_half_space(shape.item, at, cell, face, true);
-    if (!said.may_keep) return said;
-  }
-  for (const Side& side : shape.outline) {
-    if (cell.has_eye()) break;
-    said = said && by_half_space(shape.item, at, cell, side.axis, side.certain);
-    if (!said.may_keep) return said;
-  }
-  return said;
-}
 
 // ---- Two passes
 
@@ -184,9 +121,7 @@ void answer_item(const Case& c, const Edges& e, uint first, const std::vector<ui
   if (!is_usable(raw)) return;
   const auto p = c.params<ClusterParams>();
   const auto ranges = c.input<vec2>("depth_ranges").subspan(p.first_range);
-  Shape shape{.item = item_of(raw), .outline = {}, .faces = {}, .inside = {}};
-  shape.outline = outline_of(raw, shape.item), shape.faces = faces_of(raw, shape.item);
-  shape.inside = eye_inside(shape.item);
+  const Shape shape = shape_of(raw);
   const Bounds bounds = bounds_of(shape.item, e);
   for (uint y = bounds.rows.first; y <= bounds.rows.last; ++y)
     for (uint x = bounds.columns.first; x <= bounds.columns.last; ++x)
@@ -205,6 +140,7 @@ void answer_raster(const Case& c, Answer& answer, const std::string& kind, uint 
     for (uint i = static_cast<uint>(w) * 32; i < std::min(static_cast<uint>(w) * 32 + 32, count); ++i)
       answer_item(c, e, first, may_touch, i, to);
   });
+  answer_smaller(c, answer, kind, first, count, to.hi_z);
   answer["hexahedra_" + kind] = expect_bits(to.hexahedra);
   answer["hi_z_" + kind] = expect_bits(to.hi_z);
   answer["two_pass_" + kind] = expect_bits(to.two_pass);

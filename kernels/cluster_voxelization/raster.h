@@ -28,4 +28,8 @@ Depths depths_of(const vec2& reversed, float near_plane);
 void answer_raster(const Case&, Answer&, const std::string& kind, uint first, uint count,
                    const std::vector<uint>& may_touch);
 
+// "smaller_lights" and so on: of each cell, the shorter of two lists, its column's of all slices (of `hi_z`, the same
+// items') and that of its bin and slice.
+void answer_smaller(const Case&, Answer&, const std::string& kind, uint first, uint count, const Bits& hi_z);
+
 }  // namespace assay::cluster_voxelization
