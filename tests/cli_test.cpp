@@ -88,7 +88,7 @@ void expect_one_line(const std::string& arguments, const std::string& mention) {
 }
 
 TEST(Cli, EveryCommandTeaches) {
-  for (const std::string command : {"devices", "list", "check", "bench", "frame", "mutate"}) {
+  for (const std::string command : {"devices", "list", "check", "bench", "frame", "mutate", "diff"}) {
     const Ran r = assay(command + " --help");
     EXPECT_EQ(r.code, 0);
     EXPECT_NE(r.out.find("Examples:\n  assay " + command), std::string::npos) << r.out;
@@ -122,6 +122,12 @@ TEST(Cli, WrongFlagsAndNamesAreOneLine) {
       {"frame --camera 0,0,0,0,0,0", "camera"},
       {"frame --variant {kernel}", "kernel=variant"},
       {"frame --variant no_such_kernel=x", "no_such_kernel"},
+      {"diff", "reference"},
+      {"diff a.png", "test"},
+      {"diff a.png b.exr", "cannot be compared"},
+      {"diff a.png b.jpg", "b.jpg"},
+      {"diff a.png b.png --max-flip 2", "max-flip"},
+      {"diff a.png b.png --map c.txt", "c.txt"},
   };
   for (const auto& [arguments, mention] : wrong) expect_one_line(with_kernel(arguments), mention);
 }
@@ -147,6 +153,12 @@ TEST(Cli, MissingAndBrokenFilesAreOneLine) {
   expect_one_line("frame --sidecar " + folder.file("absent.lights.json"), "absent.lights.json");
   expect_one_line("frame --sidecar " + folder.with("bad.lights.json", R"({"lights": [{"kind": "laser"}]})"),
                   "bad.lights.json: lights[0].kind");
+  for (const char* kind : {"png", "exr"}) {
+    const std::string absent = folder.file(fmt::format("absent.{}", kind)),
+                      broken = folder.with(fmt::format("broken.{}", kind), "no picture");
+    expect_one_line(fmt::format("diff {0} {0}", absent), absent);
+    expect_one_line(fmt::format("diff {0} {0}", broken), broken);
+  }
 }
 
 TEST(Cli, UnwritableOutputIsOneLineBeforeAnyWork) {
@@ -157,6 +169,28 @@ TEST(Cli, UnwritableOutputIsOneLineBeforeAnyWork) {
   expect_one_line("frame --out " + blocked, blocked);
   expect_one_line("bench --markdown " + blocked, blocked);
   expect_one_line("bench --runs " + blocked, blocked);
+  for (const char* flag : {"json=", "map="})
+    expect_one_line(fmt::format("diff a.png b.png --{}{}.png", flag, blocked), blocked);
+}
+
+TEST(Cli, DiffTellsHowFarAndFails) {
+  const Folder folder;
+  const std::string a = folder.file("a.png"), b = folder.file("b.png"), map = folder.file("map.exr");
+  image::Rgba8 picture = {16, 16, std::vector<uint8_t>(16 * 16 * 4, 255)};
+  image::write_png(a, picture);
+  picture.texels[4 * 77] = 0;
+  image::write_png(b, picture);
+  const Ran same = assay(fmt::format("diff {0} {0} --max-flip 0", a)),
+            off = assay(fmt::format("diff {} {} --max-flip 0 --json --map {}", a, b, map));
+  EXPECT_EQ(same.code, 0) << same.err;
+  EXPECT_NE(same.out.find("FLIP 0.000000 mean, PSNR inf dB, 16x16"), std::string::npos) << same.out;
+  EXPECT_EQ(off.code, 1) << off.err;
+  const double flip = Json::parse(off.out).at("flip");
+  const image::Layers read = image::read_exr(map);
+  double sum = 0;
+  for (const float v : read.channels.at(0).values) sum += v;
+  EXPECT_NEAR(sum / 256, flip, 1e-7);
+  EXPECT_GT(flip, 0);
 }
 
 void expect_shape(const Json& j, bool ran) {

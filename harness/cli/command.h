@@ -32,6 +32,7 @@ void add_devices(CLI::App&, Action&);
 void add_list(CLI::App&, Action&);
 void add_check(CLI::App&, Action&);
 void add_mutate(CLI::App&, Action&);
+void add_diff(CLI::App&, Action&);
 void add_bench(CLI::App&, Action&);
 void add_frame(CLI::App&, Action&);
 

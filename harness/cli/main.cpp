@@ -22,9 +22,10 @@ constexpr char kAbout[] =
     "  assay bench                   how fast is each, and how near to the limit?\n"
     "  assay frame --scene small     the whole chain, as a picture\n"
     "  assay mutate                  would the checks notice a fault?\n"
+    "  assay diff A.png B.png        how far is a picture off another?\n"
     "\n"
     "Each command teaches itself: assay COMMAND --help.\n"
-    "Exit codes: 0 success, 1 a kernel broke its bound, 2 unusable input (one line on stderr says what).";
+    "Exit codes: 0 success, 1 a bound is broken, 2 unusable input (one line on stderr says what).";
 
 // `--json` takes a file only where the next word looks like one, so that `check --json visibility` names a kernel.
 bool looks_like_file(const std::string& word) {
@@ -62,8 +63,8 @@ int run(int argc, char** argv) {
   CLI::App app(kAbout, "assay");
   app.require_subcommand(1);
   cli::Action action;
-  for (const auto add :
-       {cli::add_devices, cli::add_list, cli::add_check, cli::add_bench, cli::add_frame, cli::add_mutate})
+  for (const auto add : {cli::add_devices, cli::add_list, cli::add_check, cli::add_bench, cli::add_frame,
+                         cli::add_mutate, cli::add_diff})
     add(app, action);
   const std::string first = argc > 1 ? argv[1] : "";
   if (first.empty()) return complain("no command given; try assay --help", cli::kUnusable);
