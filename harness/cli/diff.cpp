@@ -57,7 +57,7 @@ void write_map(const std::string& file, const Difference& d) {
 }
 
 std::string kind_of(const std::string& file) {
-  const std::string kind = fs::path(file).extension().string();
+  std::string kind = fs::path(file).extension().string();
   if (kind != ".png" && kind != ".exr") throw Unusable(file + ": is neither .png nor .exr");
   return kind;
 }
