@@ -88,7 +88,10 @@ Loop make_loop(device::Device& d, const device::Plan& plan, const Case& c) {
 void warm_up(device::Device& d, Loop& loop) {
   const double least_ns = device::warm_up_ns(device::info(d));
   if (least_ns == 0) return;
-  for (double busy_ns = 0; busy_ns < least_ns;) busy_ns += sample(d, loop, Cache::cold).wall_ns;
+  for (double busy_ns = 0; busy_ns < least_ns;) {
+    const Sample s = sample(d, loop, Cache::cold);  // its times are of one repeat
+    busy_ns += s.wall_ns * s.repeats;
+  }
   calibrate(d, loop);
 }
 
