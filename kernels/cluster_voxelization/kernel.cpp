@@ -44,7 +44,8 @@ Groups per_word_and_bin(const Case& c) {
 Cost cost(const Case& c) {
   const uint64_t bits = light_bits(c) + decal_bits(c) + probe_bits(c);
   return {.bytes_read = items(c) * sizeof(ClusterItem) + edges(c) * sizeof(float),
-          .bytes_written = bits * sizeof(uint) + items(c) * sizeof(uvec4) + planes(c) * sizeof(vec4) + sizeof(uint),
+          .bytes_written = bits * sizeof(uint) + items(c) * (sizeof(uvec4) + sizeof(Outline)) +
+                           (planes(c) + outline_planes(c)) * sizeof(vec4) + sizeof(uint),
           .operations = items(c) * edges(c) * 40};  // which of the grid's planes an item lies beyond
 }
 
@@ -138,13 +139,13 @@ Kernel describe() {
   return {
       .name = "cluster_voxelization",
       .source = "Sousa, Geffroy 2016, Preparing Clustered Shading; Coenen 2020, DOOM Eternal; Pettineo 2016, clusters",
-      .default_variant = "two_way",
+      .default_variant = "hexahedra_raster",
       .params = layout_of<ClusterParams>(),
       .ports = ports(),
       .variants = variants(),
       .oracle = mark,
       .inputs = inputs(),
-      .bounds = bounds("two_way", "as of the variant"),
+      .bounds = bounds("hexahedra", "as of the variant"),
       .mutants = mutants(),
       .cost = cost,
       .typical = typical,
