@@ -1,0 +1,114 @@
+// What the estimators of shading rates promise: copied, or averaged again, no tile is off by more than they say,
+// whatever the picture and whichever pixels are shaded.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/oracle.h"
+#include "kernels/vrcs_shading_rate/oracle.h"
+
+namespace assay::tests {
+namespace {
+
+using namespace vrcs_shading_rate;
+
+struct Picture {
+  Extent size;
+  std::vector<int> codes;
+  bool has(int64_t x, int64_t y) const { return x >= 0 && y >= 0 && x < size.width && y < size.height; }
+  int at(int64_t x, int64_t y) const { return codes[static_cast<size_t>(y * size.width + x)]; }
+};
+
+Picture random_picture(Pcg32& rng) {
+  Picture p{{1 + rng.below(40), 1 + rng.below(40)}, {}};
+  const uint32_t kind = rng.below(4), reach = 1 + rng.below(255);
+  const double slope_x = rng.range(-6, 6), slope_y = rng.range(-6, 6);
+  for (uint32_t y = 0; y < p.size.height; ++y)
+    for (uint32_t x = 0; x < p.size.width; ++x) {
+      const double ramp = 128 + slope_x * (x - 20.0) + slope_y * (y - 20.0);
+      const int noise = static_cast<int>(rng.below(reach)),
+                stripes = (kind == 2 ? x : y) % 2 ? 0 : static_cast<int>(reach) - 1;
+      p.codes.push_back(kind == 0 ? noise : kind == 1 ? std::clamp(static_cast<int>(ramp), 0, 255) : stripes);
+    }
+  return p;
+}
+
+// A uniform rate: the pixel of each whole cell that is shaded is the first, or the last.
+struct Rate {
+  bool across, down, last;
+};
+// Where the shaded pixel of a pixel's group lies from it, along each axis; none for those that are shaded.
+glm::ivec2 to_primary(const Picture& p, const Rate& r, uint32_t x, uint32_t y) {
+  if ((r.across && !p.has(x | 1, y)) || (r.down && !p.has(x, y | 1))) return {0, 0};  // half a cell
+  const auto along = [&](bool shared, uint32_t i) {
+    if (!shared || (i & 1) == (r.last ? 1u : 0u)) return 0;
+    return i & 1 ? -1 : 1;
+  };
+  return {along(r.across, x), along(r.down, y)};
+}
+
+double copied(const Picture& p, int64_t x, int64_t y, glm::ivec2 off) { return p.at(x + off.x, y + off.y); }
+
+// The mean of the neighbours on the pixel's own axes, those that the picture has.
+double averaged(const Picture& p, int64_t x, int64_t y, glm::ivec2 off) {
+  double sum = 0, count = 0;
+  for (const int dx : {-1, 1})
+    for (const int dy : {-1, 1}) {
+      const int64_t at_x = off.x ? x + dx : x, at_y = off.y ? y + dy : y;
+      if (p.has(at_x, at_y)) sum += p.at(at_x, at_y), count += 1;
+    }
+  return sum / count;
+}
+
+template <class Rebuild>
+double squared_error(const Picture& p, const Rate& r, uint32_t side, uint32_t column, uint32_t row, Rebuild rebuild) {
+  double sum = 0, pixels = 0;
+  for (uint32_t y = row * side; y < std::min((row + 1) * side, p.size.height); ++y)
+    for (uint32_t x = column * side; x < std::min((column + 1) * side, p.size.width); ++x) {
+      const glm::ivec2 off = to_primary(p, r, x, y);
+      pixels += 1;
+      if (off.x || off.y) sum += std::pow(rebuild(p, x, y, off) - p.at(x, y), 2);
+    }
+  return sum / pixels;
+}
+
+template <class Rebuild>
+void expect_bounded(Estimator estimator, Rebuild rebuild) {
+  Pcg32 rng(1);
+  uint64_t tiles = 0;
+  for (int trial = 0; trial < 5000; ++trial) {
+    const Picture p = random_picture(rng);
+    const Codes codes = [&p](int64_t x, int64_t y) { return p.at(x, y); };
+    for (const uint32_t side : {2u, 8u})
+      for (uint32_t row = 0; row * side < p.size.height; ++row)
+        for (uint32_t column = 0; column * side < p.size.width; ++column) {
+          const Errors e = errors_of(estimator, p.size, side, column, row, codes);
+          for (const bool last : {false, true}) {
+            const double across = squared_error(p, {true, false, last}, side, column, row, rebuild),
+                         down = squared_error(p, {false, true, last}, side, column, row, rebuild),
+                         both = squared_error(p, {true, true, last}, side, column, row, rebuild);
+            tiles += 1;
+            ASSERT_LE(across, e.across * (1 + 1e-12)) << trial << " " << side << " " << column << " " << row;
+            ASSERT_LE(down, e.down * (1 + 1e-12)) << trial << " " << side << " " << column << " " << row;
+            ASSERT_LE(both, e.both * (1 + 1e-12)) << trial << " " << side << " " << column << " " << row;
+          }
+        }
+  }
+  EXPECT_GT(tiles, 1000000u);
+}
+
+TEST(Vrcs, TheFirstDifferenceBoundsWhatCopiesAreOff) { expect_bounded(Estimator::first_difference, copied); }
+TEST(Vrcs, TheSecondDifferenceBoundsWhatAveragesAreOff) { expect_bounded(Estimator::second_difference, averaged); }
+
+// The bounds are no slacker than they must be: here all of the difference falls on copied pixels.
+TEST(Vrcs, TheBoundsAreReached) {
+  Picture p{{16, 16}, {}};
+  for (int i = 0; i < 256; ++i) p.codes.push_back((i + 1) % 4 < 2 ? 10 : 30);  // pairs of columns, across the cells
+  const Codes codes = [&p](int64_t x, int64_t y) { return p.at(x, y); };
+  EXPECT_EQ(squared_error(p, {true, false, false}, 8, 0, 1, copied),
+            errors_of(Estimator::first_difference, p.size, 8, 0, 1, codes).across);
+}
+
+}  // namespace
+}  // namespace assay::tests
