@@ -108,7 +108,7 @@ Kernel describe() {
                 only_in(kByList, reads<uvec2>("cells", cells, {"cluster_lists.cells"})),
                 only_in(kByList, reads<uint>("entries", counted(&DecalParams::entries), {"cluster_lists.entries"})),
                 only_in({"bitfield"}, reads<uint>("decal_bits", bit_words, {"cluster_voxelization.decal_bits"})),
-                reads_textures("atlas", 3)},
+                reads_textures("atlas", kAtlasTextures)},
       .variants = variants(),
       .oracle = decaled,
       .inputs = {.random = random_case, .branches = branches(), .hard = hard_cases(), .smaller = smaller},
