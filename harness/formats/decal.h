@@ -21,9 +21,9 @@ struct DecalRecord {
   vec4 scale_bias;      // UV of the page; a negative scale mirrors
   vec3 weights;         // of base colour, normal and roughness, 0..1; 0 leaves the channel as it is
   float fade_distance;  // view depth where it is gone, metres; it fades over the last quarter. 0 or less: never
-  vec3 tangent;         // unit, in the space of p: where the page's u grows
+  vec3 tangent;         // unit, in the space of p: where red of the normals points
   uint normal_mode;
-  vec3 bitangent;  // where its v grows
+  vec3 bitangent;  // where green does
   uint receiver;   // kNoReceiver: none
   vec3 outward;    // away from the surface that the decal is made for
   uint page;       // layer of the atlas; past the end the last
@@ -42,7 +42,15 @@ SHARED_CONST uint kAtlasNormal = 1u;     // rgba8_unorm, x and y in red and gree
 SHARED_CONST uint kAtlasRoughness = 2u;  // rgba8_unorm, red
 SHARED_CONST uint kAtlasTextures = 3u;
 
+// What a view has of them.
+struct DecalCounts {
+  uint decals;
+  uint receivers;
+  uint atlas_border;  // texels of the first level around each picture
+};
+
 #ifdef __cplusplus
+SHARED_LAYOUT(DecalCounts, decals, receivers, atlas_border);
 SHARED_LAYOUT(DecalRecord, row_x, row_y, row_z, scale_bias, weights, fade_distance, tangent, normal_mode, bitangent,
               receiver, outward, page);
 SHARED_LAYOUT(ReceiverRecord, row_x, row_y, row_z);
