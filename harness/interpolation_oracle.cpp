@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "harness/formats/visibility.h"
+
 namespace assay::interpolation {
 
 namespace {
@@ -30,6 +32,23 @@ void set_corner(Triangle& t, int k, const SurfaceRecord& s, const vec3& p) {
 void place(Triangle& t, uvec2 pixel, uvec2 viewport) {
   t.half_width = 0.5 * viewport.x, t.half_height = 0.5 * viewport.y;
   t.offset_x = pixel.x + 0.5 - t.half_width, t.offset_y = pixel.y + 0.5 - t.half_height;
+}
+
+std::optional<ShownTriangle> shown_triangle(uvec2 texel, std::span<const vec3> positions,
+                                            std::span<const uint32_t> indices,
+                                            std::span<const SurfaceRecord> surfaces) {
+  if (texel == uvec2(kVisibilityNone)) return {};
+  if (surfaces.empty() || indices.empty() || positions.empty()) return {};
+  const auto last = [](uint32_t i, size_t count) { return std::min(i, static_cast<uint32_t>(count) - 1); };
+  ShownTriangle t;
+  t.surface = &surfaces[last(texel.y & kVisibilitySurfaceMask, surfaces.size())];
+  for (int k = 0; k < 3; ++k) {
+    const uint32_t index = indices[last(t.surface->first_index + 3 * texel.x + static_cast<uint>(k), indices.size())];
+    t.vertices[k] = last(index + t.surface->vertex_offset, positions.size());
+    set_corner(t, k, *t.surface, positions[t.vertices[k]]);
+  }
+  t.flipped = (texel.y & kVisibilityFlipped) != 0;
+  return t;
 }
 
 RoundedWide exact(double v) { return {Wide(v), 0}; }

@@ -3,6 +3,7 @@
 // kernels/attribute_interpolation/README.md. Host only.
 #pragma once
 #include <optional>
+#include <span>
 
 #include "harness/formats/interpolation.h"
 #include "harness/formats/scene.h"
@@ -22,6 +23,16 @@ struct Triangle {
 // One corner by the surface's clip rows; the pixel and the viewport that it is in.
 void set_corner(Triangle&, int k, const SurfaceRecord&, const vec3& position);
 void place(Triangle&, uvec2 pixel, uvec2 viewport);
+
+// The triangle that a pixel of the visibility buffer shows; an index past the end is the last. None: nothing is shown,
+// or there is nothing.
+struct ShownTriangle : Triangle {
+  const SurfaceRecord* surface = nullptr;
+  Few<uint32_t, 3> vertices = {};
+  bool flipped = false;
+};
+std::optional<ShownTriangle> shown_triangle(uvec2 texel, std::span<const vec3> positions,
+                                            std::span<const uint32_t> indices, std::span<const SurfaceRecord> surfaces);
 
 // What a formula may answer. Where `determined` is false, the weights are anywhere in the simplex if clamped, the rest
 // anything.

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "harness/formats/clusters.h"
+#include "harness/formats/decal.h"
 #include "harness/formats/light.h"
 #include "harness/formats/scene.h"
 #include "harness/layout_table.h"
@@ -356,13 +357,13 @@ struct Cost {
 struct FrameInputs {
   Extent extent = {};
   SceneCounts scene = {};
+  DecalCounts decals = {};
   std::vector<uint32_t> shaders = {};  // visible shader classes (formats/material.h), ascending: slot -> class
   ViewRays rays = {};
   ClusterGrid grid = {};  // without cells: clusters are off
   float near_plane = 0.1f;
   float exposure_stops = 0;  // added to the automatic exposure
   uint32_t view = 0;         // the debug view asked for (kernels/debug_view/layout.h)
-  uint32_t frame = 0;
 };
 
 struct Kernel {
@@ -377,10 +378,9 @@ struct Kernel {
   std::vector<Bound> bounds;
   std::vector<Mutant> mutants;
   std::function<Cost(const Case&)> cost;
-  std::function<Case(Extent)> typical;  // the benchmark's input at an extent
-  std::vector<Extent> extents;          // benchmarked, the first is CI's
-  std::function<Case(const FrameInputs&)> frame =
-      {};                         // parameters and producerless inputs in the frame; empty: not in it
+  std::function<Case(Extent)> typical;                 // the benchmark's input at an extent
+  std::vector<Extent> extents;                         // benchmarked, the first is CI's
+  std::function<Case(const FrameInputs&)> frame = {};  // parameters, inputs without producers; empty: not in it
   double undecided_limit = 1e-4;  // share of `between`'s elements, of typical and random cases, that may be undecided
   std::string undecided_reason = {};  // why it is another than the rule's 1e-4
   ErrorTable errors = {};

@@ -14,7 +14,6 @@
 namespace assay::tests {
 namespace {
 
-using decal_atlas_sampling::DecalRecord;
 using decal_atlas_sampling::View;
 using glm::dvec3;
 using image::DecalAtlas;

@@ -79,7 +79,7 @@ TEST(Clusters, TheBoundsOfALightHoldAllThatItLights) {
     s.lights = {light};
     const scene::Camera camera;  // at the origin, along -z: view space is (x, -y, -z)
     scene::Gathered g = gather(s, camera, {640, 360});
-    append_clusters(camera, {640, 360}, {40, 45}, g);
+    append_clusters(camera, {640, 360}, {40, 45}, 24, g);
     if (g.lights.empty()) continue;
     const ClusterItem& item = g.cluster_items.at(0);
     pyramids += item.shape == kShapePyramid;

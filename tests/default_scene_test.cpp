@@ -28,6 +28,15 @@ TEST(DefaultScene, HasWhatItPromises) {
   const Scene& s = hall();
   EXPECT_EQ(s.materials.size(), 60u);
   EXPECT_EQ(s.lights.size(), 300u);
+  EXPECT_EQ(s.decals.size(), 1000u);
+  std::set<uint32_t> pictures, receivers;
+  for (const scene::Decal& d : s.decals) {
+    EXPECT_EQ(fault_of(d, s), "");
+    pictures.insert(d.colour_image);
+    if (d.receiver != scene::kNone) receivers.insert(d.receiver);
+  }
+  EXPECT_GE(pictures.size(), 8u);
+  EXPECT_GE(receivers.size(), 50u);
   std::array<uint32_t, 3> kinds = {};
   for (const scene::Light& l : s.lights) {
     EXPECT_EQ(fault_of(l), "");

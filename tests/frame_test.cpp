@@ -232,6 +232,37 @@ TEST(Frame, RemovingMaskedMaterialsRemovesTheirPassesAndBytes) {
   EXPECT_LT(running(bare).size(), running(full).size());
 }
 
+// Without a decal in view none of it is there: no pass, no atlas, no gradients, no record, no bits.
+TEST(Frame, RemovingDecalsRemovesTheirPassesAndBytes) {
+  const scene::Scene with = scene::small();
+  scene::Scene without = with, elsewhere = with;
+  without.decals.clear();
+  for (scene::Decal& d : elsewhere.decals) d.centre += glm::dvec3(0, 0, 1e4), d.receiver = scene::kNone;
+  const auto info = device::info(*device());
+  for (const std::string clusters : {"none", "coarse"}) {
+    SCOPED_TRACE(clusters);
+    const auto explained = [&](const scene::Scene& s) {
+      return frame::explain(info, s, scene::default_camera(with), {.size = {320, 200}, .clusters = clusters});
+    };
+    const auto full = explained(with), bare = explained(without);
+    for (const char* kernel : {"decal_atlas_sampling", "depth_gradients"}) {
+      EXPECT_TRUE(mentions(running(full), kernel)) << kernel;
+      EXPECT_FALSE(mentions(running(bare), kernel)) << kernel;
+    }
+    EXPECT_EQ(mentions(running(bare), "cluster_voxelization"), clusters != "none");
+    for (const frame::ResourceNote& r : bare.resources) {
+      const bool is_decals = r.name.find("decal") != std::string::npos || r.name.find("gradients") != std::string::npos;
+      EXPECT_TRUE(!is_decals || r.bytes == 0) << r.name;
+    }
+    for (const char* name : {"scene.decals", "scene.decal_atlas", "scene.receivers", "depth_gradients.gradients"}) {
+      ASSERT_NE(resource(full, name), nullptr) << name;
+      EXPECT_GT(resource(full, name)->bytes, 0u) << name;
+    }
+    EXPECT_LT(frame::total_bytes(bare), frame::total_bytes(full));
+    EXPECT_EQ(frame::total_bytes(explained(elsewhere)), frame::total_bytes(bare));
+  }
+}
+
 TEST(Frame, WorkloadPassesRunOnlyForTheirView) {
   const scene::Scene s = scene::small();
   EXPECT_FALSE(mentions(running(draw_at(s, {64, 64}, "material").explanation), "workload.comp"));
@@ -335,13 +366,13 @@ TEST(Frame, ExplanationsAreTextAndJson) {
 // ---- Clusters
 // -----------------------------------------------------------------------------------
 
-// What a light lights it does so through its cells: the picture of all lights by brute force, bit for bit, as long as
-// no list was full.
+// What lights light and decals cover they do so through their cells: the picture of all of them by brute force, bit for
+// bit, as long as no list was full.
 void expect_same_light(const scene::Scene& s, Extent size) {
   const std::string radiance = "deferred_lighting.radiance", status = "cluster_lists.list_status";
   Options o = {.size = size, .clusters = "none", .goals = {radiance}, .warm_up = false};
   const Result all = draw(s, o);
-  EXPECT_FALSE(all.downloads.contains(status)) << "nobody needs cells";
+  EXPECT_FALSE(all.downloads.contains(status)) << "nobody needs lists of cells";
   for (const std::string clusters : {"coarse", "fine"})
     for (const std::string variant : {"clustered", "clustered_scalarised"}) {
       o.clusters = clusters, o.variants["deferred_lighting"] = variant;
@@ -349,6 +380,7 @@ void expect_same_light(const scene::Scene& s, Extent size) {
       EXPECT_EQ(some.downloads.at(radiance), all.downloads.at(radiance)) << clusters << ", " << variant;
       const auto counts = words<ClusterListStatus>(some.downloads.at(status)).at(0);
       EXPECT_EQ(counts.dropped_lights, 0u);
+      EXPECT_EQ(counts.dropped_decals, 0u);
       EXPECT_GT(counts.entries, 0u);
     }
   o.clusters = "fine", o.variants["deferred_lighting"] = "clustered";
@@ -361,6 +393,25 @@ void expect_same_light(const scene::Scene& s, Extent size) {
 TEST(Frame, LightThroughClustersIsLightByBruteForce) {
   expect_same_light(scene::small(), {320, 180});
   expect_same_light(scene::default_scene(), {333, 187});
+}
+
+// By every way of finding and reading them.
+TEST(Frame, DecalsThroughClustersAreDecalsByBruteForce) {
+  const std::string colour = "decal_atlas_sampling.base_roughness", normal = "decal_atlas_sampling.normal";
+  for (const scene::Scene& s : {scene::small(), scene::default_scene()}) {
+    Options o = {.size = {333, 187}, .clusters = "none", .goals = {colour, normal}, .warm_up = false};
+    const Result all = draw(s, o);
+    Options bare = o;
+    bare.goals = {"deferred_texturing.base_roughness"};
+    EXPECT_NE(draw(s, bare).downloads.at(bare.goals[0]), all.downloads.at(colour)) << "no decal is seen";
+    for (const std::string clusters : {"coarse", "fine"})
+      for (const std::string variant : {"gradient", "scalarised", "bitfield"}) {
+        o.clusters = clusters, o.variants["decal_atlas_sampling"] = variant;
+        const Result some = draw(s, o);
+        for (const std::string& port : {colour, normal})
+          EXPECT_EQ(some.downloads.at(port), all.downloads.at(port)) << clusters << ", " << variant << ", " << port;
+      }
+  }
 }
 
 // A hall of lights that all reach everything: more than 256 in each cell.

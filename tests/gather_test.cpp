@@ -178,9 +178,13 @@ TEST(Gather, LookingAwayGathersNothing) {
   EXPECT_TRUE(g.textures.empty());
   EXPECT_TRUE(g.shaders.empty());
   EXPECT_TRUE(g.surface_slots.empty());
-  ASSERT_EQ(g.notes.size(), 2u);
+  EXPECT_TRUE(g.decals.empty());
+  EXPECT_TRUE(g.receivers.empty());
+  EXPECT_TRUE(g.decal_atlas.empty());
+  ASSERT_EQ(g.notes.size(), 3u);
   EXPECT_NE(g.notes[0].find("42 of 42"), std::string::npos) << g.notes[0];
   EXPECT_NE(g.notes[1].find("2 of 3 lights"), std::string::npos) << g.notes[1];
+  EXPECT_NE(g.notes[2].find("4 of 4 decals"), std::string::npos) << g.notes[2];
 }
 
 TEST(Gather, BlendedMaterialsAreLeftOutWithANote) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "harness/oracle.h"
+#include "tests/decals.h"
 
 namespace assay::tests {
 namespace {
@@ -56,9 +57,10 @@ std::string outside(const dvec3& got, const dvec3& expected, const dvec3& error)
 
 std::string to_text(const Verdict& v) {
   std::string text = fmt::format(
-      "{} judged ({} background), not judged: {} at an edge, {} at an alpha cut, {} ties, {} of "
-      "other classes; {} wrong",
-      v.judged, v.background, v.edges, v.alpha, v.ties, v.classes, v.wrong.size());
+      "{} judged ({} background, {} under decals), not judged: {} at an edge, {} at an alpha cut, {} ties, {} at a "
+      "decal's "
+      "face, {} of other classes; {} wrong",
+      v.judged, v.background, v.decaled, v.edges, v.alpha, v.ties, v.faces, v.classes, v.wrong.size());
   for (size_t i = 0; i < v.wrong.size() && i < 10; ++i) text += "\n  " + v.wrong[i];
   return text;
 }
@@ -74,6 +76,24 @@ Verdict judge_gbuffer(const View& view, std::span<const GBufferPixel> gbuffer, u
                          return disagreement(*expected, gbuffer[at], view.scene.materials[point->material].name);
                        --v.judged, ++v.classes;
                        return "";
+                     });
+}
+
+Verdict judge_decals(const View& view, std::span<const GBufferPixel> before, std::span<const GBufferPixel> after,
+                     std::span<const float> depth, uint32_t pixels, uint64_t seed) {
+  return over_pixels(view, pixels, seed,
+                     [&](size_t at, const std::optional<SurfacePoint>& point, const std::optional<Hit>& hit,
+                         Verdict& v) -> std::string {
+                       if (!point) return after[at] == before[at] ? "" : "a decal lies on the background";
+                       const double moved = view.camera.near_plane / double{depth[at]} / hit->distance;
+                       const Decaled expected = decaled(view.scene, view.camera, before[at], point->position * moved,
+                                                        point->per_x * moved, point->per_y * moved);
+                       if (expected.at_face) {
+                         --v.judged, ++v.faces;
+                         return "";
+                       }
+                       v.decaled += expected.touched[0] || expected.touched[1] || expected.touched[2];
+                       return disagreement(expected, before[at], after[at]);
                      });
 }
 

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <string>
 
+#include "harness/image/image.h"
 #include "tests/glb.h"
 
 namespace assay::tests {
@@ -73,14 +74,33 @@ TEST(Sidecar, LightsOfEveryKind) {
 
 TEST(Sidecar, BrokenOnesAreOneLineWithThePlace) {
   const auto light = [](const std::string& members) { return "{\"lights\": [" + members + "]}"; };
-  const std::string spot = R"("kind": "spot", "position": [0, 0, 0], "direction": [0, -1, 0])";
+  const auto decal = [](const std::string& members) { return "{\"decals\": [" + members + "]}"; };
+  const std::string spot = R"("kind": "spot", "position": [0, 0, 0], "direction": [0, -1, 0])",
+                    laid = R"("position": [0, 0, 0], "outward": [0, 0, 1])";
   const std::pair<std::string, const char*> broken[] = {
       {"", "JSON"},
       {"{\"lights\": [", "JSON, byte"},
       {"[]", "not an object"},
       {"{}", "lights"},
       {"{\"lights\": {}}", "lights"},
-      {"{\"lights\": [], \"decals\": []}", "\"decals\""},
+      {"{\"lights\": [], \"probes\": []}", "\"probes\""},
+      {"{\"decals\": 3}", "decals: is not an array"},
+      {decal("7"), "decals[0]: is not an object"},
+      {decal("{}"), "decals[0]: position is missing"},
+      {decal(R"({"position": [0, 0, 0], "half_extents": [1, 1, 1]})"), "decals[0]: outward is missing"},
+      {decal(R"({"position": [0, 0, 0], "outward": [0, 0, 0], "half_extents": [1, 1, 1]})"), "decals[0].outward"},
+      {decal("{" + laid + R"(, "half_extents": [1, 0, 1]})"), "decals[0]: a half extent"},
+      {decal("{" + laid + R"(, "half_extents": [1, 1]})"), "decals[0].half_extents"},
+      {decal("{" + laid + R"(, "up": [0, 0, 2], "half_extents": [1, 1, 1]})"), "decals[0].up: is along outward"},
+      {decal("{" + laid + R"(, "half_extents": [1, 1, 1], "weights": [1, 2, 0]})"), "decals[0]: a weight"},
+      {decal("{" + laid + R"(, "half_extents": [1, 1, 1], "coverage": -1})"), "decals[0]: its coverage"},
+      {decal("{" + laid + R"(, "half_extents": [1, 1, 1], "color": [1, 1, 1]})"), "\"color\""},
+      {decal("{" + laid + R"(, "half_extents": [1, 1, 1], "normal_mode": "up"})"), "decals[0].normal_mode"},
+      {decal("{" + laid + R"(, "half_extents": [1, 1, 1], "receiver": 1})"), "there is no instance 1"},
+      {decal("{" + laid + R"(, "half_extents": [1, 1, 1], "receiver": -1})"), "decals[0].receiver"},
+      {decal("{" + laid + R"(, "half_extents": [1, 1, 1], "colour_image": 4})"), "decals[0].colour_image"},
+      {decal("{" + laid + R"(, "half_extents": [1, 1, 1], "colour_image": "no_such.png"})"), "decals[0].colour_image"},
+      {decal("{" + laid + R"(, "half_extents": [1, 1, 1], "normal_image": "some.json"})"), "decals[0].normal_image"},
       {light("7"), "lights[0]"},
       {light("{}"), "kind is missing"},
       {light(R"({"kind": "area"})"), "lights[0].kind"},
@@ -111,6 +131,45 @@ TEST(Sidecar, BrokenOnesAreOneLineWithThePlace) {
   }
   EXPECT_THROW(scene::load("bare", "/no/such.lights.json"), std::runtime_error);
   EXPECT_EQ(complaint(light("{" + spot + "}")), "");
+}
+
+TEST(Sidecar, DecalsWithPicturesBesideTheFile) {
+  const fs::path a = temporary("decal_a.png"), b = temporary("decal_b.png");
+  image::write_png(a, {2, 1, {255, 0, 0, 255, 0, 255, 0, 128}});
+  image::write_png(b, {1, 1, {9, 9, 9, 255}});
+  const std::string name = a.filename().string();
+  const Scene s = with(R"({"decals": [
+    {"position": [1, 2, 3], "outward": [0, 3, 0], "up": [1, 0, 0], "half_extents": [0.5, 0.25, 0.1],
+     "colour_image": ")" +
+                       name + R"(", "normal_image": ")" + name + R"(", "weights": [1, 0.5, 0.25],
+     "fade_distance": 9, "normal_mode": "reoriented", "receiver": 0},
+    {"position": [0, 0, 0], "outward": [0, 0, 1], "half_extents": [1, 1, 1], "colour": [0.25, 0.5, 1],
+     "coverage": 0.75, "roughness": 0.5, "roughness_image": ")" +
+                       b.filename().string() + R"("}]})");
+  ASSERT_EQ(s.decals.size(), 2u);
+  EXPECT_TRUE(s.lights.empty());
+  const scene::Decal &d = s.decals[0], &e = s.decals[1];
+  EXPECT_EQ(d.centre, glm::dvec3(1, 2, 3));
+  const glm::dmat3 axes = mat3_cast(d.orientation);
+  EXPECT_NEAR(length(axes[2] - glm::dvec3(0, 1, 0)), 0, 1e-12);
+  EXPECT_NEAR(length(axes[1] - glm::dvec3(1, 0, 0)), 0, 1e-12);
+  EXPECT_EQ(d.colour_image, d.normal_image) << "one file is one image";
+  EXPECT_EQ(s.images.at(d.colour_image).rgba[6], 0);
+  EXPECT_EQ(s.images.at(d.colour_image).rgba[7], 128);
+  EXPECT_EQ(d.weights, glm::vec3(1, 0.5f, 0.25f));
+  EXPECT_EQ(d.fade_distance, 9);
+  EXPECT_EQ(d.normal_mode, kNormalReoriented);
+  EXPECT_EQ(d.receiver, 0u);
+  EXPECT_EQ(e.colour, glm::vec4(0.25f, 0.5f, 1, 0.75f));
+  EXPECT_EQ(e.weights, glm::vec3(1, 0, 0));
+  EXPECT_EQ(e.receiver, scene::kNone);
+  ASSERT_EQ(s.notes.size(), 1u);
+  EXPECT_NE(s.notes[0].find("2 decals"), std::string::npos);
+  const std::string unequal = complaint(R"({"decals": [{"position": [0, 0, 0], "outward": [0, 0, 1],
+    "half_extents": [1, 1, 1], "colour_image": ")" +
+                                        name + R"(", "normal_image": ")" + b.filename().string() + "\"}]}");
+  EXPECT_NE(unequal.find("decals[0]: its pictures are 2x1 and 1x1 texels"), std::string::npos) << unequal;
+  fs::remove(a), fs::remove(b);
 }
 
 TEST(Sidecar, EveryTruncationIsRefused) {

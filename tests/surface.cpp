@@ -17,9 +17,6 @@ constexpr double kWeightError = 1.0 / 65535;
 constexpr double kDerivativeError = 1.0 / 2048;
 // Lambert's projection in two snorm16: within 0.0025 degrees.
 constexpr double kFrameError_rad = 0.0025 * 3.14159265358979 / 180;
-// An octahedral code may be either neighbour: a step in x and y moves the vector by sqrt(6) steps, at a length of
-// 1 / sqrt(3) or more.
-constexpr double kOctahedralError_rad = 1.01 * 4.242640687 / 32767;
 
 struct Sampler {
   const scene::Scene& scene;
@@ -75,18 +72,17 @@ void add_class(const scene::Scene& scene, const scene::Material& m, Sampler& s, 
   }
 }
 
+}  // namespace
+
 std::string outside(const char* channel, double got, const Range& allowed) {
   if (allowed.holds(got)) return "";
   return fmt::format("{} is {:.5f}, allowed are {:.5f} to {:.5f}", channel, got, allowed.low, allowed.high);
 }
-// Of a number kept in 8 bits: either code next to it.
 Range stored(const Range& r) {
   const auto clamped = [](double v) { return std::clamp(v, 0.0, 1.0) * 255; };
   return {std::floor(clamped(r.low) - 1e-4) / 255, std::ceil(clamped(r.high) + 1e-4) / 255};
 }
 Range rooted(const Range& r) { return {std::sqrt(std::max(0.0, r.low)), std::sqrt(std::max(0.0, r.high))}; }
-
-}  // namespace
 
 SurfacePoint surface_at(const scene::Scene& s, const scene::Camera& camera, Extent extent, double x, double y,
                         const Hit& hit) {
@@ -116,6 +112,8 @@ SurfacePoint surface_at(const scene::Scene& s, const scene::Camera& camera, Exte
   // Depth is near / w, linear over the screen. Snapping vertices to a grid of 1/256 px moves it by its slope over half
   // a step each way, twice that to be safe; the plane is computed in floats from the nearest vertex's depth downwards.
   const double slope = (std::abs(total(per_x)) + std::abs(total(per_y))) / std::abs(total(weights));
+  p.per_x = hit.distance * (right - ray * (total(per_x) / total(weights)));
+  p.per_y = hit.distance * (down - ray * (total(per_y) / total(weights)));
   double nearest = hit.distance;
   for (const dvec3& c : corner) nearest = std::min(nearest, std::max(camera.near_plane, -dot(axes[2], c)));
   p.depth_error = slope / 256 + 16 * std::ldexp(1.0, -24) * hit.distance / nearest;

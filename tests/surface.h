@@ -16,6 +16,7 @@ struct SurfacePoint {
   glm::dvec3 normal, tangent;  // world, unit, on the side that the mesh says
   double handedness = 1;       // bitangent = handedness * cross(normal, tangent)
   bool front = true;           // the side from which its triangle is counter-clockwise
+  glm::dvec3 per_x, per_y;     // the position's change a pixel, along the triangle
   double depth_error = 0;      // relative, of a depth that a rasteriser interpolates
   Footprint footprint;         // its errors are those of the stored weights and derivatives
 };
@@ -40,6 +41,13 @@ struct GBufferPixel {
   uint32_t emissive = 0;
   bool operator==(const GBufferPixel&) const = default;
 };
+// Of a number kept in 8 bits: either code next to it. Roots of a range. What is wrong with a number, or nothing.
+Range stored(const Range&);
+Range rooted(const Range&);
+std::string outside(const char* channel, double got, const Range& allowed);
+// An octahedral code may be either neighbour: a step in x and y moves the vector by sqrt(6) steps, at a length of
+// 1 / sqrt(3) or more.
+constexpr double kOctahedralError_rad = 1.01 * 4.242640687 / 32767;
 glm::dvec3 octahedral_direction(const std::array<int16_t, 2>& code);
 glm::dvec3 shared_exponent_radiance(uint32_t code);
 // Which channels lie outside what the material (by name) allows, with both; empty if none does.

@@ -107,7 +107,7 @@ void add_frame(CLI::App& app, Action& action) {
   command->add_option("--scene", f->scene, "bare, small, default, or a .gltf or .glb file")->capture_default_str();
   command
       ->add_option("--sidecar", f->sidecar,
-                   "More lights for the scene; NAME.lights.json beside NAME.gltf or NAME.glb by default")
+                   "More lights and decals for the scene; NAME.lights.json beside NAME.gltf or NAME.glb by default")
       ->type_name("FILE");
   command->add_option("--size", f->size, "Pixels")->capture_default_str()->type_name("WxH");
   command->add_option("--view", f->options.view, fmt::format("{}", fmt::join(frame::view_names(), ", ")))
@@ -117,8 +117,8 @@ void add_frame(CLI::App& app, Action& action) {
   command
       ->add_option(
           "--clusters", f->options.clusters,
-          "Lights looked up in 16x8x24 cells (coarse) or cells of 32 pixels in 24 slices (fine), or none: every "
-          "pixel asks every light")
+          "Lights and decals looked up in 16x8x24 cells (coarse) or cells of 32 pixels in 24 slices (fine), or none: "
+          "every pixel asks every light and decal")
       ->capture_default_str()
       ->check(CLI::IsMember({"none", "coarse", "fine"}));
   command->add_option("--exposure", f->options.exposure_stops, "Stops brighter than the automatic exposure")

@@ -93,11 +93,19 @@ void require_ranges(const Graph& g, const device::Info& info) {
                       info.name, info.max_buffer_range));
 }
 
-// Without lights or clusters nothing is looked up in cells, and the passes that fill them are not needed.
+// Without lights or clusters no light is looked up in cells, and the passes that fill them are not needed. Decals
+// without clusters are all of the view's, as the bits of its only cell.
 std::map<std::string, std::string> variants_of(const Options& options, const scene::Gathered& gathered) {
   std::map<std::string, std::string> variants = options.variants;
   if (gathered.lights.empty() || options.clusters == "none") variants.try_emplace("deferred_lighting", "plain");
+  if (options.clusters == "none") variants.try_emplace("decal_atlas_sampling", "bitfield");
   return variants;
+}
+
+void append_clusters(const scene::Camera& camera, const Options& o, scene::Gathered& to) {
+  if (o.clusters == "none") return scene::append_clusters(camera, o.size, o.size, 1, to);
+  const Extent cell = o.clusters == "fine" ? fine_cell(o.size) : coarse_cell(o.size);
+  scene::append_clusters(camera, o.size, cell, scene::kClusterSlices, to);
 }
 
 Prepared prepare(const device::Info& info, const scene::Scene& scene, const scene::Camera& camera,
@@ -106,12 +114,12 @@ Prepared prepare(const device::Info& info, const scene::Scene& scene, const scen
   require_clusters(options.clusters);
   Prepared p = {.view = &view_named(options.view)};
   p.gathered = scene::gather(scene, camera, options.size);
-  const bool fine = options.clusters == "fine";
-  scene::append_clusters(camera, options.size, fine ? fine_cell(options.size) : coarse_cell(options.size), p.gathered);
+  append_clusters(camera, options, p.gathered);
   p.scene_bytes = scene_bytes(p.gathered);
   p.graph = build_graph({.kernels = all_kernels(),
                          .view = {.extent = options.size,
                                   .scene = p.gathered.counts,
+                                  .decals = p.gathered.decal_counts,
                                   .shaders = p.gathered.shaders,
                                   .rays = p.gathered.rays,
                                   .grid = p.gathered.grid,

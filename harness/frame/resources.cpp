@@ -1,13 +1,12 @@
 #include "harness/frame/resources.h"
 
+#include <optional>
 #include <span>
 #include <stdexcept>
 
 namespace assay::frame {
 
 namespace {
-
-constexpr const char* kTextures = "scene.textures";
 
 std::map<std::string, std::span<const std::byte>> scene_buffers(const scene::Gathered& g) {
   return {{"scene.positions", std::as_bytes(std::span(g.positions))},
@@ -18,9 +17,15 @@ std::map<std::string, std::span<const std::byte>> scene_buffers(const scene::Gat
           {"scene.materials", std::as_bytes(std::span(g.materials))},
           {"scene.surface_slots", std::as_bytes(std::span(g.surface_slots))},
           {"scene.lights", std::as_bytes(std::span(g.lights))},
+          {"scene.decals", std::as_bytes(std::span(g.decals))},
+          {"scene.receivers", std::as_bytes(std::span(g.receivers))},
           {"scene.cluster_items", std::as_bytes(std::span(g.cluster_items))},
           {"scene.cluster_edges", std::as_bytes(std::span(g.cluster_edges))},
           {"scene.slice_edges", std::as_bytes(std::span(g.slice_edges))}};
+}
+
+std::map<std::string, std::span<const Texture>> scene_textures(const scene::Gathered& g) {
+  return {{"scene.textures", g.textures}, {"scene.decal_atlas", g.decal_atlas}};
 }
 
 struct Contents {
@@ -32,12 +37,20 @@ struct Contents {
 Contents contents_of(const Graph& graph, const Resource& r, const scene::Gathered& gathered) {
   if (r.producer != kNobody) return {};
   if (r.owner == kNobody) {
-    if (r.name == kTextures) return {.textures = gathered.textures, .given = true};
+    if (r.port->kind == PortKind::textures) return {.textures = scene_textures(gathered).at(r.name), .given = true};
     return {.bytes = scene_buffers(gathered).at(r.name), .given = true};
   }
   const Case& input = graph.nodes[r.owner].input;
   if (r.port->kind == PortKind::textures) return {.textures = input.textures.at(r.port->name), .given = true};
   return {.bytes = input.inputs.at(r.port->name), .given = true};
+}
+
+// The second format that a port sees an image in, its maker's or an updater's.
+std::optional<Format> view_of(const Graph& graph, const Resource& r) {
+  for (const Node& node : graph.nodes)
+    for (const Bound& b : node.ports)
+      if (b.port->view && graph.resources[b.resource].memory == r.memory) return b.port->view;
+  return {};
 }
 
 device::Owned make(device::Device& d, const Graph& graph, const Resource& r, const Contents& contents) {
@@ -50,10 +63,10 @@ device::Owned make(device::Device& d, const Graph& graph, const Resource& r, con
     case PortKind::image: {
       if (!maker) throw std::logic_error(r.name + ": the scene holds no images");
       const Extent extent = r.port->extent ? r.port->extent(maker->input) : maker->input.extent;
-      return device::make_image(d, r.name, r.port->format, r.port->view, extent);
+      return device::make_image(d, r.name, r.port->format, view_of(graph, r), extent);
     }
     case PortKind::textures: {
-      const uint64_t slots = maker && r.port->count ? r.port->count(maker->input) : 16;
+      const uint64_t slots = r.port->count(maker ? maker->input : Case());
       return device::make_textures(d, r.name, contents.textures, slots);
     }
   }
@@ -65,8 +78,10 @@ device::Owned make(device::Device& d, const Graph& graph, const Resource& r, con
 std::map<std::string, uint64_t> scene_bytes(const scene::Gathered& g) {
   std::map<std::string, uint64_t> bytes;
   for (const auto& [name, data] : scene_buffers(g)) bytes[name] = data.size();
-  for (const Texture& t : g.textures) bytes[kTextures] += t.bytes.size();
-  bytes.try_emplace(kTextures, 0);
+  for (const auto& [name, textures] : scene_textures(g)) {
+    bytes[name] = 0;
+    for (const Texture& t : textures) bytes[name] += t.bytes.size();
+  }
   return bytes;
 }
 

@@ -42,8 +42,13 @@ double srgb_of(double linear) {
 bool is_srgb(Format f) { return f == Format::rgba8_srgb; }
 
 Texel decoded(const uint8_t* codes, Format f) {
+  static const std::array<double, 256> linear = [] {
+    std::array<double, 256> of;
+    for (size_t code = 0; code < of.size(); ++code) of[code] = linear_of(static_cast<double>(code) / 255);
+    return of;
+  }();
   Texel t;
-  for (uint32_t c = 0; c < 4; ++c) t[c] = is_srgb(f) && c < 3 ? linear_of(codes[c] / 255.0) : codes[c] / 255.0;
+  for (uint32_t c = 0; c < 4; ++c) t[c] = is_srgb(f) && c < 3 ? linear[codes[c]] : codes[c] / 255.0;
   return t;
 }
 void append_encoded(Bytes& to, const Texel& t, Format f) {

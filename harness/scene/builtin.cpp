@@ -123,6 +123,43 @@ void add_foliage(Scene& s) {
   }
 }
 
+// A spill on the floor, a sheet on the wall, a chipped and a painted column, one of each under a receiver.
+void add_decals(Scene& s) {
+  const uint32_t spill = add_image(s, "spill", 64, [](float u, float v) {
+    const float inside = 0.42f - std::hypot(u - 0.5f, v - 0.5f) + 0.04f * std::cos(std::atan2(v - 0.5f, u - 0.5f) * 5);
+    return glm::vec4(0.2f, 0.12f, 0.1f, inside * 12);
+  });
+  const uint32_t sheet = add_image(s, "sheet", 64, [](float u, float v) {
+    const bool written = std::fmod(v, 0.125f) < 0.05f && u > 0.15f && u < 0.85f && v > 0.15f && v < 0.85f;
+    return glm::vec4(glm::vec3(written ? 0.15f : 0.9f), 1);
+  });
+  const uint32_t chips = add_image(s, "chips", 64, [](float u, float v) {
+    const float x = std::cos(u * 25), y = std::sin(v * 19);
+    return glm::vec4(normalize(glm::vec3(0.5f * x, 0.5f * y, 1)) * 0.5f + 0.5f, 1);
+  });
+  const glm::dquat level = glm::angleAxis(-kTau / 4, glm::dvec3(1, 0, 0));  // z of the box upwards
+  uint32_t column = 0;
+  while (s.meshes[s.instances[column].mesh].name != "column") ++column;
+  s.decals = {{.centre = {-0.9, 0, 2.6},
+               .orientation = level,
+               .half_extents = {0.9, 0.7, 0.1},
+               .colour_image = spill,
+               .roughness = 0.1f,
+               .weights = {0.9f, 0, 1}},
+              {.centre = {0.3, 2.2, -8}, .half_extents = {0.7, 0.9, 0.1}, .colour_image = sheet, .roughness = 0.6f},
+              {.centre = {0, 2, 0.35},
+               .half_extents = {0.3, 0.4, 0.2},
+               .normal_image = chips,
+               .weights = {0, 1, 0},
+               .normal_mode = kNormalReoriented,
+               .receiver = column + 4},
+              {.centre = {0, 1.4, 0.35},
+               .half_extents = {0.3, 0.3, 0.2},
+               .colour = {0.6f, 0.05f, 0.03f, 0.8f},
+               .fade_distance = 30,
+               .receiver = column + 5}};
+}
+
 }  // namespace
 
 Scene bare() {
@@ -146,6 +183,7 @@ Scene small() {
   add_hall(s);
   add_things(s);
   add_foliage(s);
+  add_decals(s);
   s.lights = {
       {.kind = LightKind::directional,
        .direction = normalize(glm::vec3(0.4f, -1, -0.3f)),

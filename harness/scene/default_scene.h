@@ -1,4 +1,4 @@
-// Inside of the built-in scene `default`: textures, then materials, then the hall and its lights.
+// Inside of the built-in scene `default`: textures, then materials, then the hall, its lights and decals.
 #pragma once
 #include <array>
 #include <vector>
@@ -37,5 +37,6 @@ inline double middle(uint32_t bay) { return 24.5 - kBayLength_m * bay; }
 void add_building(Scene&, const Palette&);   // floors, walls, vault, columns
 void add_furniture(Scene&, const Palette&);  // banners, fences, obelisks, growths, plants
 void add_default_lights(Scene&);             // 300
+void add_default_decals(Scene&);             // 1000, a fifth of them on what stands in the hall
 
 }  // namespace assay::scene::builtin

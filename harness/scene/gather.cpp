@@ -161,6 +161,7 @@ Gathered gather(const Scene& scene, const Camera& camera, Extent extent) {
   while (bucket < kDrawBuckets) to.counts.bucket_first[++bucket] = static_cast<uint32_t>(to.draws.size());
   append_materials(scene, to);
   append_lights(scene, camera, rows, to);
+  append_decals(scene, camera, rows, to);
   to.rays = view_rays(camera, extent);
 
   to.counts.vertices = static_cast<uint32_t>(to.positions.size());

@@ -1,10 +1,11 @@
-// The grid of a view, and convex bounds of its lights.
+// The grid of a view, and convex bounds of its lights and decals.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "harness/clusters.h"
-#include "harness/scene/scene.h"
+#include "harness/scene/gather.h"
 
 namespace assay::scene {
 namespace {
@@ -15,12 +16,10 @@ using glm::dvec3;
 constexpr double kNear_m = 0.3, kFar_m = 300;  // of the slices; nearer and farther is in the first and the last
 constexpr float kFarthest_m = 0x1p37f;         // where the last slice ends
 constexpr double kEverywhere_m = 0x1p36;       // half the side of a box round what has no bounds
-constexpr uint32_t kSlices = 24;
 
-// What a position rebuilt from a depth, the way from there to a light and its cosine with the light's axis may be off
-// by in floats, of lengths and of cosines: 15 u of the position (kernels/deferred_lighting, Bounds) and under 10 u each
-// of the others; 64 u are given.
-constexpr double kSlack = 64 * 0x1p-24;
+// Of a light: 15 u of the position (kernels/deferred_lighting, Bounds) and under 10 u each of the way from there to the
+// light and its cosine with the light's axis.
+constexpr double kSlack = kPositionSlack;
 
 ClusterItem box(const dvec3& centre, double half) {
   return {vec3(centre), kShapeBox, vec3(half, 0, 0), vec3(0, half, 0), vec3(0, 0, half)};
@@ -55,22 +54,28 @@ void append_slopes(std::vector<float>& edges, uint32_t cells, uint32_t cell, uin
 
 }  // namespace
 
-void append_clusters(const Camera& camera, Extent picture, Extent cell, Gathered& to) {
-  to.grid = grid_over(picture, cell, kSlices);
+void append_clusters(const Camera& camera, Extent picture, Extent cell, uint32_t slices, Gathered& to) {
+  to.grid = grid_over(picture, cell, slices);
   const double high = std::tan(camera.vertical_fov_rad / 2), wide = high * picture.width / picture.height;
   append_slopes(to.cluster_edges, to.grid.columns, cell.width, picture.width, wide);
   append_slopes(to.cluster_edges, to.grid.rows, cell.height, picture.height, high);
-  std::vector<float> depths = slice_edges(kNear_m, kFar_m, kSlices);
+  std::vector<float> depths = slice_edges(kNear_m, kFar_m, slices);
   depths.front() = 0, depths.back() = kFarthest_m;
   to.cluster_edges.insert(to.cluster_edges.end(), depths.begin(), depths.end());
   to.slice_edges = reversed_slice_edges(depths, static_cast<float>(camera.near_plane));
 
   const dmat3 axes = mat3_cast(camera.orientation);  // columns: right, up, backward
   const dmat3 to_view = transpose(dmat3(axes[0], -axes[1], -axes[2]));
-  for (const LightRecord& light : to.lights) to.cluster_items.push_back(item_of(light, to_view));
-  if (to.lights.size() > kMaxClusterLights)
+  const size_t lights = std::min<size_t>(to.lights.size(), kMaxClusterLights);
+  for (size_t i = 0; i < lights; ++i) to.cluster_items.push_back(item_of(to.lights[i], to_view));
+  if (to.lights.size() > lights)
     to.notes.push_back(fmt::format("cells know the first {} of {} lights; the others shed no light through them",
                                    kMaxClusterLights, to.lights.size()));
+  for (const DecalRecord& d : to.decals) {
+    ClusterItem item = reach_of(d, d.receiver == kNoReceiver ? nullptr : &to.receivers[d.receiver]);
+    for (vec3* v : {&item.origin, &item.a, &item.b, &item.c}) *v = vec3(to_view * dvec3(*v));
+    to.cluster_items.push_back(item);
+  }
 }
 
 }  // namespace assay::scene

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "harness/formats/clusters.h"
+#include "harness/formats/decal.h"
 #include "harness/formats/features.h"
 #include "harness/formats/light.h"
 #include "harness/formats/material.h"
@@ -73,6 +74,21 @@ struct Light {
 };
 // What makes the light no light; empty if it is sound.
 std::string fault_of(const Light&);
+// A box whose pictures lie on all surfaces within: x of its own axes is to the right of the pictures, y up, z away from
+// the surface that it is made for. Colour, coverage in its alpha, and normals and roughness; where there is no picture,
+// a constant. Pictures of one decal are of one size. Normals are as glTF's, green up the picture.
+struct Decal {
+  glm::dvec3 centre = {};
+  glm::dquat orientation = {1, 0, 0, 0};
+  glm::dvec3 half_extents = {0.5, 0.5, 0.5};  // metres
+  uint32_t colour_image = kNone, normal_image = kNone, roughness_image = kNone;
+  glm::vec4 colour = {1, 1, 1, 1};  // linear
+  float roughness = 1;
+  glm::vec3 weights = {1, 0, 0};  // of base colour, normal and roughness, 0..1; 0: the surface keeps its own
+  float fade_distance = 0;        // view depth where it is gone, metres; 0: never
+  uint32_t normal_mode = kNormalWhiteout;
+  uint32_t receiver = kNone;  // an instance, in whose space the box is then, and with which it moves
+};
 struct Camera {  // looks along -z of its own axes, x right, y up
   std::string name;
   glm::dvec3 eye = {};
@@ -88,20 +104,25 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;
   std::vector<Light> lights;
+  std::vector<Decal> decals;  // a later one lies over an earlier
   std::vector<Camera> cameras;
   std::vector<std::string> notes;  // what the file holds and was left out, a line each
 };
 
-// A built-in name (bare, small, default) or a .gltf or .glb file, with the lights of a sidecar (sidecar.cpp): the one
+// What makes the decal no decal of the scene; empty if it is sound.
+std::string fault_of(const Decal&, const Scene&);
+
+// A built-in name (bare, small, default) or a .gltf or .glb file, with what a sidecar adds (sidecar.cpp): the one
 // given, else NAME.lights.json beside NAME.gltf or NAME.glb. Broken files throw std::runtime_error: file, place, what.
 Scene load(const std::string& name_or_file, const std::filesystem::path& sidecar = {});
 void append_sidecar(const std::filesystem::path&, Scene&);
 Scene load_gltf(const std::filesystem::path&);
 Scene bare();  // one triangle, one material
 // A hall for the lit frame: large floors, carved columns with triangles of a pixel, foliage cards, 60 materials in the
-// 8 shader classes, 300 lights. Its view shows each class on 2 % of its pixels at least.
+// 8 shader classes, 300 lights, 1000 decals. Its view shows each class on 2 % of its pixels at least.
 Scene default_scene();
-Scene small();  // CI: floor, columns, masked foliage cards, instances, a mirrored instance, a spot and a point light
+Scene small();  // CI: floor, columns, masked foliage cards, instances, a mirrored instance, a spot and a point light,
+                // decals
 // The file's first camera, or one that sees the whole scene from outside (from inside for an atrium such as Sponza's).
 Camera default_camera(const Scene&);
 
@@ -138,15 +159,20 @@ struct Gathered {
   ClusterGrid grid = {};
   std::vector<float> cluster_edges;  // slopes of columns and rows and depths of slices (kernels/cluster_voxelization)
   std::vector<float> slice_edges;    // the slices' in reversed depth
-  std::vector<ClusterItem> cluster_items;                // view space; of each light
-  std::vector<Texture> textures;                         // one array a (size, format)
+  std::vector<ClusterItem> cluster_items;  // view space; of each light, then of each decal
+  std::vector<Texture> textures;           // one array a (size, format)
+  DecalCounts decal_counts = {};
+  std::vector<DecalRecord> decals;                       // of those that reach the view, in the scene's order
+  std::vector<ReceiverRecord> receivers;                 // instances that they lie on
+  std::vector<Texture> decal_atlas;                      // none, or kAtlas...
   std::vector<uint32_t> surface_instance, surface_part;  // back to the scene, for reference renderers
   std::vector<std::string> notes;  // what was left out or added and why: culled instances and lights, …
 };
 Gathered gather(const Scene&, const Camera&, Extent);
-// Adds the grid of cells of so many pixels, and the items of the lights gathered. Every pixel that a light reaches, as
-// shaders compute positions, lies in a cell that its item touches.
-void append_clusters(const Camera&, Extent picture, Extent cell, Gathered&);
+// Adds the grid of cells of so many pixels, and the items of the lights and decals gathered. Every pixel that one of
+// them reaches, as shaders compute positions, lies in a cell that its item touches.
+constexpr uint32_t kClusterSlices = 24;
+void append_clusters(const Camera&, Extent picture, Extent cell, uint32_t slices, Gathered&);
 
 // Row-major clip rows of a camera: x, y, w of Vulkan clip space (y down) for camera-relative world coordinates.
 struct ClipRows {

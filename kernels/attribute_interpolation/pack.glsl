@@ -1,24 +1,9 @@
-// The three encodings of formats/attributes.h. Everything rounds to nearest by hand: Vulkan leaves the rounding of its
-// pack functions to the device, and truncation doubles the error.
+// The three encodings of formats/attributes.h. Everything rounds to nearest by hand.
+#include "harness/glsl/half.glsl"
 layout(constant_id = 0) const uint LAYOUT = kAttributesPacked;
 
-#ifdef MUTANT_24
-#define TO_NEAREST trunc
-#else
-#define TO_NEAREST roundEven
-#endif
 uint unorm16(float v) { return uint(TO_NEAREST(v * 65535.0)); }  // of 0..1
 uint snorm16(float v) { return uint(int(TO_NEAREST(clamp(v, -1.0, 1.0) * 32767.0))) & 0xffffu; }
-
-// Five bits of exponent over `kept` of mantissa, as binary16 has them with ten, under a sign. For magnitudes below 65,504.
-uint small_float(float v, uint kept) {
-  const uint bits = floatBitsToUint(v);
-  // 113: 2^-14, below which the step stays as it is. The mantissa counts its leading 1, which moves the exponent on.
-  const uint exponent = max(bits >> 23 & 255u, 113u);
-  const uint mantissa = uint(TO_NEAREST(abs(v) * uintBitsToFloat((254u + kept - exponent) << 23)));
-  return ((exponent - 113u) << kept) + mantissa | (bits >> 31) << (5u + kept);
-}
-uint binary16(float v) { return small_float(v, 10u); }
 
 uint pack_barycentrics(vec3 weights) {
 #ifdef MUTANT_20

@@ -5,7 +5,7 @@ void main() {
   const uvec2 pixel = gl_GlobalInvocationID.xy;
   if (pixel.x >= params.width || pixel.y >= params.height) return;
   const uint at = pixel.y * params.width + pixel.x;
-  Seen t;
+  Shown t;
   if (!triangle_at(pixel, t)) {
     unpacked[at] = UnpackedAttributes(vec3(0), vec4(0), vec3(0), vec3(0));
     return;

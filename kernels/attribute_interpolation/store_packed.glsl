@@ -8,7 +8,7 @@ void main() {
   const uvec2 pixel = gl_GlobalInvocationID.xy;
   if (pixel.x >= params.width || pixel.y >= params.height) return;
   const uint at = pixel.y * params.width + pixel.x;
-  Seen t;
+  Shown t;
   if (!triangle_at(pixel, t)) {
     barycentrics[at] = 0u;
     derivatives[at] = uvec2(0u);

@@ -9,12 +9,6 @@ Scene scene_of(const Case& c) {
           c.input<ClipSample>("clip_samples")};
 }
 
-namespace {
-
-uint last(uint i, uint count) { return std::min(i, count - 1); }
-
-}  // namespace
-
 std::optional<SeenTriangle> triangle_at(const Scene& s, uint64_t pixel) {
   SeenTriangle t;
   if (s.params.clip_samples > 0) {
@@ -24,18 +18,11 @@ std::optional<SeenTriangle> triangle_at(const Scene& s, uint64_t pixel) {
     place(t, c.pixel, c.viewport);
     return t;
   }
-  const uvec2 shown = s.visibility[pixel];
-  if (shown == uvec2(kVisibilityNone)) return {};
-  if (s.params.surfaces == 0 || s.params.indices == 0 || s.params.vertices == 0) return {};
-  t.surface = &s.surfaces[last(shown.y & kVisibilitySurfaceMask, s.params.surfaces)];
-  for (int k = 0; k < 3; ++k) {
-    const uint index = s.indices[last(t.surface->first_index + 3 * shown.x + static_cast<uint>(k), s.params.indices)];
-    const uint vertex = last(index + t.surface->vertex_offset, s.params.vertices);
-    set_corner(t, k, *t.surface, s.positions[vertex]);
-    t.attributes[k] = &s.attributes[vertex];
-  }
+  const auto shown = shown_triangle(s.visibility[pixel], s.positions, s.indices, s.surfaces);
+  if (!shown) return {};
+  static_cast<ShownTriangle&>(t) = *shown;
+  for (int k = 0; k < 3; ++k) t.attributes[k] = &s.attributes[t.vertices[k]];
   place(t, uvec2(pixel % s.params.width, pixel / s.params.width), uvec2(s.params.width, s.params.height));
-  t.flipped = (shown.y & kVisibilityFlipped) != 0;
   return t;
 }
 

@@ -21,10 +21,8 @@ struct Scene {
 };
 Scene scene_of(const Case&);
 
-struct SeenTriangle : interpolation::Triangle {
-  const SurfaceRecord* surface = nullptr;  // none: a clip sample
+struct SeenTriangle : ShownTriangle {  // without a surface: a clip sample
   Few<const VertexAttributes*, 3> attributes = {};
-  bool flipped = false;
 };
 std::optional<SeenTriangle> triangle_at(const Scene&, uint64_t pixel);
 

@@ -43,7 +43,7 @@ Variant variant(const std::string& name, uint32_t cells_of_a_group, const std::s
 Case in_frame(const FrameInputs& f) {
   Case c = {.name = "frame", .extent = f.extent};
   const uint32_t all = f.grid.columns * f.grid.rows * f.grid.slices;
-  c.set_params(ListParams{f.scene.lights, 0, 0, all, list_capacity(f.grid)});
+  c.set_params(ListParams{f.scene.lights, f.decals.decals, 0, all, list_capacity(f.grid)});
   return c;
 }
 

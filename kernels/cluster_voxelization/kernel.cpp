@@ -55,8 +55,8 @@ Case in_frame(const FrameInputs& f) {
   const ClusterGrid& g = f.grid;
   Case c = {.name = "frame", .extent = f.extent};
   const bool has_depths = g.cell_width == 1u << kLevel && g.cell_height == 1u << kLevel;
-  c.set_params(ClusterParams{f.scene.lights, 0, 0, g.columns, g.rows, g.slices, has_depths ? f.near_plane : 0,
-                             has_depths ? first_of_level(f.extent, kLevel) : 0});
+  c.set_params(ClusterParams{f.scene.lights, f.decals.decals, 0, g.columns, g.rows, g.slices,
+                             has_depths ? f.near_plane : 0, has_depths ? first_of_level(f.extent, kLevel) : 0});
   return c;
 }
 

@@ -1,5 +1,6 @@
 #include "harness/kernel.h"
 
+#include "harness/clusters.h"
 #include "kernels/decal_atlas_sampling/inputs.h"
 #include "kernels/decal_atlas_sampling/oracle.h"
 
@@ -16,7 +17,10 @@ uint64_t cells(const Case& c) {
 }
 uint64_t edges(const Case& c) { return uint64_t{c.params<DecalParams>().grid.slices} + 1; }
 uint64_t bit_words(const Case& c) { return (uint64_t{c.params<DecalParams>().decals} + 31) / 32 * cells(c); }
-Groups per_pixel(const Case& c) { return {ceil_div(c.extent.width, 16), ceil_div(c.extent.height, 16), 1}; }
+Groups per_pixel(const Case& c) {
+  if (c.params<DecalParams>().decals == 0) return {0, 0, 0};
+  return {ceil_div(c.extent.width, 16), ceil_div(c.extent.height, 16), 1};
+}
 
 const std::vector<std::string> kByList = {"gradient", "lod", "anisotropic_taps", "scalarised"};
 
@@ -92,6 +96,13 @@ std::vector<Mutant> mutants() {
           {"harness/glsl/gbuffer.glsl", 9306, "the root of the base colour taken for it", "half_covered"}};
 }
 
+Case in_frame(const FrameInputs& f) {
+  Case c = {.name = "frame", .extent = f.extent};
+  c.set_params(DecalParams{f.extent.width, f.extent.height, f.grid, f.decals.decals, list_capacity(f.grid),
+                           f.decals.receivers, f.near_plane, static_cast<float>(f.decals.atlas_border), f.rays});
+  return c;
+}
+
 }  // namespace
 
 Kernel describe() {
@@ -101,14 +112,15 @@ Kernel describe() {
       .default_variant = "gradient",
       .params = layout_of<DecalParams>(),
       .ports = {reads_image("depth", Format::d32_float, {"visibility.depth"}),
-                reads_image("depth_gradients", Format::rg16_float), channel("base_roughness", Format::rgba8_unorm),
-                channel("normal", Format::rg16_snorm), reads<float>("slice_edges", edges, {"scene.slice_edges"}),
-                reads<DecalRecord>("decals", counted(&DecalParams::decals)),
-                reads<ReceiverRecord>("receivers", counted(&DecalParams::receivers)),
+                reads_image("depth_gradients", Format::rg16_float, {"depth_gradients.gradients"}),
+                channel("base_roughness", Format::rgba8_unorm), channel("normal", Format::rg16_snorm),
+                reads<float>("slice_edges", edges, {"scene.slice_edges"}),
+                reads<DecalRecord>("decals", counted(&DecalParams::decals), {"scene.decals"}),
+                reads<ReceiverRecord>("receivers", counted(&DecalParams::receivers), {"scene.receivers"}),
                 only_in(kByList, reads<uvec2>("cells", cells, {"cluster_lists.cells"})),
                 only_in(kByList, reads<uint>("entries", counted(&DecalParams::entries), {"cluster_lists.entries"})),
                 only_in({"bitfield"}, reads<uint>("decal_bits", bit_words, {"cluster_voxelization.decal_bits"})),
-                reads_textures("atlas", 3)},
+                reads_textures("atlas", kAtlasTextures, {"scene.decal_atlas"})},
       .variants = variants(),
       .oracle = decaled,
       .inputs = {.random = random_case, .branches = branches(), .hard = hard_cases(), .smaller = smaller},
@@ -117,6 +129,7 @@ Kernel describe() {
       .cost = cost,
       .typical = typical,
       .extents = {{640, 360}, {1920, 1080}, {3840, 2160}},
+      .frame = in_frame,
       .undecided_limit = 2e-4,
       .undecided_reason = "pixels within rounding of a box's face: 1e-5 of the box where it is a tenth of its distance",
       .errors = error_table(),

@@ -5,9 +5,10 @@ void main() {
   const uvec2 pixel = gl_GlobalInvocationID.xy;
   const float d = depth_at(pixel);
   if (d == 0.0) return;
+  const List l = list_of(cell_of(params.grid, pixel, d));
+  if (l.at == l.end) return;  // of a pixel without decals nothing more is fetched, and nothing stored
   const Point p = point_at(pixel, d);
   Material m = load_material(pixel);
-  const List l = list_of(cell_of(params.grid, pixel, d));
 #ifdef MUTANT_15  // the last comes first
   for (uint i = l.end; i > l.at; --i) apply_decal(m, decal_of(entries[i - 1u]), p);
 #else

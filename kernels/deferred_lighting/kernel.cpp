@@ -26,7 +26,7 @@ Cost cost(const Case& c) {
 
 // Both producers of a channel of the G-buffer; the update, where there is one, made the latest version.
 std::vector<std::string> of_gbuffer(const std::string& channel) {
-  return {"gbuffer_update." + channel, "deferred_texturing." + channel};
+  return {"decal_atlas_sampling." + channel, "deferred_texturing." + channel};
 }
 
 const char* const kReason =
