@@ -70,8 +70,8 @@ Inputs inputs_of(const Case& c) {
           c.input<uvec2>("cells"),
           c.input<uint>("entries"),
           c.input<uint>("decal_bits"),
-          {AtlasFilter(t[kAtlasAlbedo], c.device), AtlasFilter(t[kAtlasNormal], c.device),
-           AtlasFilter(t[kAtlasRoughness], c.device), t[0].width, t[0].height, t[0].levels,
+          {TextureFilter(t[kAtlasAlbedo], c.device), TextureFilter(t[kAtlasNormal], c.device),
+           TextureFilter(t[kAtlasRoughness], c.device), t[0].width, t[0].height, t[0].levels,
            c.params<DecalParams>().atlas_border}};
 }
 
@@ -205,14 +205,12 @@ Unpack unpack_normal() { return unpack(normal_of); }
 Answer decaled(const Case& c) {
   const Inputs in = inputs_of(c);
   const std::vector<uint64_t> judged = judged_pixels(c, kSampledAbove);
-  const uint64_t count = judged.empty() ? pixel_count(c.extent) : judged.size();
   Answers lists, taps, bits;
-  for (uint64_t i = 0; i < count; ++i) {
-    const uint64_t pixel = judged.empty() ? i : judged[i];
+  for_each_judged(c, judged, [&](uint64_t pixel) {
     const uint32_t normal = in.normal[pixel];
     if (!has_surface(in.depth[pixel])) {
       for (Answers* a : {&lists, &taps, &bits}) a->untouched(in.base_roughness[pixel], normal), a->end_pixel();
-      continue;
+      return;
     }
     const SurfacePoint p = point_at(in, pixel);
     const uint32_t cell = cell_of(in, pixel);
@@ -222,7 +220,7 @@ Answer decaled(const Case& c) {
     taps.add(blended(in, pixel, p, from_list, Filtering::taps), normal);
     bits.add(from_bits == from_list ? m : blended(in, pixel, p, from_bits, Filtering::trilinear), normal);
     for (Answers* a : {&lists, &taps, &bits}) a->end_pixel();
-  }
+  });
   Answer answer;
   lists.put(answer, "", judged), taps.put(answer, kTaps, judged), bits.put(answer, kBits, judged);
   return answer;
