@@ -58,7 +58,7 @@ void widen(Intervals4& to, const Intervals4& by) {
 }  // namespace
 
 TextureFilter::TextureFilter(const Texture& t, const DeviceTraits& d) : texture_(&t), device_(d) {
-  if (t.format != Format::rgba8_unorm && t.format != Format::rgba8_srgb)
+  if (t.format != Format::rgba8_unorm && t.format != Format::rgba8_srgb && block_side(t.format) == 1)
     throw std::logic_error(std::string("the oracle filters no ") + name_of(t.format));
 }
 
@@ -75,24 +75,27 @@ Interval TextureFilter::level_of(const TexelDerivatives& d) const {
 Interval TextureFilter::level_of(Interval level) const { return on_levels(level.low, level.high); }
 
 Interval TextureFilter::Level::texel(int64_t x, int64_t y, uint32_t channel) const {
-  const uint32_t code =
-      std::to_integer<uint32_t>(texels[(wrapped(y, height) * width + wrapped(x, width)) * 4 + channel]);
-  return is_srgb && channel < 3 ? srgb_table()[code] : exactly(code * kUnorm);
+  const uint64_t at = (wrapped(y, height) * width + wrapped(x, width)) * 4 + channel;
+  const auto least = std::to_integer<uint32_t>(low[at]), most = std::to_integer<uint32_t>(high[at]);
+  if (is_srgb && channel < 3) return hull(srgb_table()[least], srgb_table()[most]);
+  return {least * kUnorm, most * kUnorm};
 }
 
-TextureFilter::Level TextureFilter::level(uint32_t layer, uint32_t wanted) const {
-  uint64_t offset = 0;
-  uint32_t width = texture_->width, height = texture_->height;
-  for (uint32_t l = 0; l < wanted; ++l) {
-    offset += uint64_t{width} * height * texture_->layers * 4;
-    width = std::max(width / 2, 1u), height = std::max(height / 2, 1u);
+TextureFilter::Level TextureFilter::level(uint32_t wanted, uint32_t n) const {
+  const uint32_t layer = std::min(wanted, texture_->layers - 1);
+  Level l = {nullptr, nullptr, width_of(*texture_, n), height_of(*texture_, n), is_srgb(texture_->format)};
+  if (block_side(texture_->format) == 1) {
+    l.low = l.high = texture_->bytes.data() + offset_of(*texture_, n, layer);
+    return l;
   }
-  offset += uint64_t{width} * height * std::min(layer, texture_->layers - 1) * 4;
-  return {texture_->bytes.data() + offset, width, height, texture_->format == Format::rgba8_srgb};
+  const auto [it, is_new] = decoded_.try_emplace({layer, n});
+  if (is_new) it->second = decoded_level(*texture_, layer, n);
+  l.low = it->second.low.data(), l.high = it->second.high.data();
+  return l;
 }
 
 Intervals4 TextureFilter::whole(const Level& l) const {
-  const auto [it, is_new] = whole_.try_emplace(l.texels);
+  const auto [it, is_new] = whole_.try_emplace(l.low);
   if (!is_new) return it->second;
   for (uint32_t c = 0; c < 4; ++c) {
     Interval r = kNothing;
@@ -145,8 +148,7 @@ Intervals4 TextureFilter::sampled(uint32_t layer, Interval u, Interval v, Interv
     previous = here;
   }
   for (uint32_t c = 0; c < 4; ++c) {
-    const bool is_srgb = texture_->format == Format::rgba8_srgb && c < 3;
-    const double slack = is_srgb ? kSrgbFilter + kSrgbRelative * all[c].high : kUnormFilter;
+    const double slack = is_srgb(texture_->format) && c < 3 ? kSrgbFilter + kSrgbRelative * all[c].high : kUnormFilter;
     all[c] = bounded::rounded({all[c].low - slack, all[c].high + slack}, 1);
   }
   return all;

@@ -3,6 +3,7 @@
 #pragma once
 #include <map>
 
+#include "harness/block_decoder.h"
 #include "harness/bounded.h"
 
 namespace assay {
@@ -16,7 +17,7 @@ struct TexelDerivatives {
 
 class TextureFilter {
  public:
-  // Of rgba8_unorm or rgba8_srgb, which must outlive it; others: std::logic_error.
+  // Of rgba8 or blocks of 4x4, which must outlive it; other formats: std::logic_error.
   TextureFilter(const Texture&, const DeviceTraits&);
 
   // The level that textureGrad may take: from the largest derivative to sqrt(2) times a pixel's sum (Vulkan, Scale
@@ -28,8 +29,8 @@ class TextureFilter {
   Intervals4 sampled(uint32_t layer, Interval u, Interval v, Interval level) const;
 
  private:
-  struct Level {  // of one layer
-    const std::byte* texels;
+  struct Level {                  // of one layer
+    const std::byte *low, *high;  // codes of 8 bits, four a texel: the same but where blocks may be decoded to either
     uint32_t width, height;
     bool is_srgb;
     Interval texel(int64_t x, int64_t y, uint32_t channel) const;  // repeated
@@ -41,6 +42,7 @@ class TextureFilter {
 
   const Texture* texture_;
   DeviceTraits device_;
+  mutable std::map<std::pair<uint32_t, uint32_t>, DecodedTexels> decoded_;  // layer, level; as they are asked for
   mutable std::map<const std::byte*, Intervals4> whole_;
 };
 
