@@ -49,7 +49,7 @@ void time_entry(benchmark::State& state, Context& context, const report::Entry& 
     cpu_ns += s.cpu_ns * s.repeats;
     executions += s.repeats;
   }
-  const Cost cost = e.kernel->cost(prepared.input);
+  const Cost cost = cost_of(*e.kernel, *e.variant, prepared.input);
   const auto iterations = static_cast<double>(state.iterations());
   state.SetBytesProcessed(static_cast<int64_t>(iterations * static_cast<double>(cost.bytes_read + cost.bytes_written)));
   state.SetItemsProcessed(static_cast<int64_t>(iterations * static_cast<double>(pixel_count(e.extent))));

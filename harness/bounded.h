@@ -60,6 +60,28 @@ inline Interval at_least(Interval a, double v) { return {std::max(a.low, v), std
 inline Interval at_most(Interval a, double v) { return {std::min(a.low, v), std::min(a.high, v)}; }
 inline Interval clamped(Interval a, double low, double high) { return at_most(at_least(a, low), high); }
 
+inline Interval absolute(Interval a) {
+  const double low = std::fabs(a.low), high = std::fabs(a.high);
+  return {a.low <= 0 && a.high >= 0 ? 0 : std::min(low, high), std::max(low, high)};
+}
+// a (1 - t) + b t or a + (b - a) t: extremes at the corners, three roundings of terms no larger than |a| + |b|.
+inline Interval mixed(Interval a, Interval b, Interval t) {
+  Interval all = {bounded::kInfinite, -bounded::kInfinite};
+  for (const double x : {a.low, a.high})
+    for (const double y : {b.low, b.high})
+      for (const double w : {t.low, t.high}) all = hull(all, exactly(x + (y - x) * w));
+  const double error = 3 * bounded::u * bounded::kSlack * (absolute(a).high + absolute(b).high);
+  return {all.low - error, all.high + error};
+}
+// A number of terms summed in any order, fused or not.
+inline Interval sum_of(std::initializer_list<Interval> terms) {
+  Interval sum;
+  double size = 0;
+  for (const Interval t : terms) sum.low += t.low, sum.high += t.high, size += absolute(t).high;
+  const double error = static_cast<double>(terms.size()) * bounded::u * bounded::kSlack * size;
+  return {sum.low - error, sum.high + error};
+}
+
 using Intervals3 = std::array<Interval, 3>;  // of a colour's channels
 inline Intervals3 operator+(const Intervals3& a, const Intervals3& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};

@@ -7,13 +7,14 @@
 
 namespace assay {
 
-std::vector<uint64_t> judged_pixels(const Case& c, uint64_t sampled_above) {
+std::vector<uint64_t> judged_pixels(const Case& c, uint64_t sampled_above, JudgedBorders borders) {
   constexpr uint32_t kStrata = 256;  // a side: 65,536 samples
   const auto [width, height] = c.extent;
   if (c.judge_all || pixel_count(c.extent) <= sampled_above) return {};
   std::vector<uint64_t> judged;
-  const auto is_border = [](uint32_t i, uint32_t size) {
-    return i % kTileSide == 0 || i % kTileSide == kTileSide - 1 || i + 1 == size;
+  const auto is_border = [borders](uint32_t i, uint32_t size) {
+    const bool is_tiles = i % kTileSide == 0 || i % kTileSide == kTileSide - 1;
+    return (borders == JudgedBorders::tiles && is_tiles) || i + 1 == size;
   };
   for (uint32_t y = 0; y < height; ++y)
     for (uint32_t x = 0; x < width; ++x)

@@ -4,8 +4,18 @@
 
 namespace assay {
 
-// Ascending: the borders of all 32x32 tiles and a stratified 65,536 pixels. Empty, for all of them, up to this many
-// pixels and where the case says so (nightly).
-std::vector<uint64_t> judged_pixels(const Case&, uint64_t sampled_above);
+// Borders beside the sample: of all 32x32 tiles, or the last row and column alone, where invocations share nothing and
+// no border within is special.
+enum class JudgedBorders { tiles, last };
+// Ascending: a stratified 65,536 pixels and the borders. Empty, for all of them, up to this many pixels and where the
+// case says so (nightly).
+std::vector<uint64_t> judged_pixels(const Case&, uint64_t sampled_above, JudgedBorders = JudgedBorders::tiles);
+
+// Each of them, or all where there are none.
+template <class F>
+void for_each_judged(const Case& c, const std::vector<uint64_t>& judged, F f) {
+  const uint64_t count = judged.empty() ? pixels(c) : judged.size();
+  for (uint64_t i = 0; i < count; ++i) f(judged.empty() ? i : judged[i]);
+}
 
 }  // namespace assay

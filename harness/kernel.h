@@ -18,9 +18,9 @@
 #include "harness/formats/light.h"
 #include "harness/formats/scene.h"
 #include "harness/layout_table.h"
+#include "harness/texture.h"
 
 namespace assay {
-using Bytes = std::vector<std::byte>;
 
 // ---- Sizes ---------------------------------------------------------------------------------------------------------
 
@@ -37,23 +37,6 @@ constexpr Extent tiles_of(Extent e, uint32_t side) { return {ceil_div(e.width, s
 constexpr uint64_t tile_count(Extent e, uint32_t side) { return pixel_count(tiles_of(e, side)); }
 
 // ---- A case: what one run of a kernel starts from ----
-
-// clang-format off
-enum class Format {
-  r8_unorm, r8_uint, rg8_unorm, rgba8_unorm, rgba8_srgb, rgba8_uint, r16_unorm, r16_float, rg16_snorm, rg16_unorm,
-  rg16_float, rgba16_float, rgba16_uint, r32_uint, r32_float, rg32_uint, rg32_float, rgba32_uint, rgba32_float,
-  r11g11b10_float, rgb9e5_float, d32_float,
-};
-// clang-format on
-uint32_t bytes_per_texel(Format);
-const char* name_of(Format);
-
-// An array texture: level after level, largest first, within a level layer after layer, rows tightly packed.
-struct Texture {
-  Format format = Format::rgba8_srgb;
-  uint32_t width = 1, height = 1, layers = 1, levels = 1;
-  Bytes bytes;
-};
 
 // What an oracle may ask of the device whose answer it judges.
 struct DeviceTraits {
@@ -293,8 +276,14 @@ enum class Feature {
   float16,
   descriptor_indexing,
   forward_progress,
+  texture_compression_bc,
+  sampler_anisotropy,  // that works: tried when the device is opened
 };
 const char* name_of(Feature);
+
+struct Cost {
+  uint64_t bytes_read = 0, bytes_written = 0, operations = 0;
+};
 
 struct Constant {  // a named specialisation constant and the values it is tried with, the default first
   std::string name;
@@ -309,6 +298,8 @@ struct Variant {
   uint32_t subgroup_min = 1, subgroup_max = 128;
   std::optional<std::vector<Bound>> bounds = {};  // in place of the kernel's
   bool baseline = false;                          // timed and its errors shown, but held only to memory safety
+  bool anisotropic = false;                       // textures' sampler: up to 16 times as long as wide
+  std::function<Cost(const Case&)> cost = {};     // in place of the kernel's
   std::string note = {};                          // one line: the idea
 };
 
@@ -347,10 +338,6 @@ struct Mutant {
   uint32_t n;
   std::string fault;
   std::string killed_by;  // a hard case's name
-};
-
-struct Cost {
-  uint64_t bytes_read = 0, bytes_written = 0, operations = 0;
 };
 
 // What the frame tells a kernel about the view that is drawn.
@@ -397,4 +384,5 @@ inline bool has_port(const Variant& v, const Port& p) {
 }
 const Port& port_of(const Kernel&, const std::string& name);
 const std::vector<Bound>& bounds_of(const Kernel&, const Variant&);
+Cost cost_of(const Kernel&, const Variant&, const Case&);
 }  // namespace assay

@@ -9,31 +9,6 @@ namespace assay {
 
 namespace {
 
-struct FormatRow {
-  Format format;
-  const char* name;
-  uint32_t bytes;
-};
-constexpr FormatRow kFormats[] = {
-    {Format::r8_unorm, "r8_unorm", 1},          {Format::r8_uint, "r8_uint", 1},
-    {Format::rg8_unorm, "rg8_unorm", 2},        {Format::rgba8_unorm, "rgba8_unorm", 4},
-    {Format::rgba8_srgb, "rgba8_srgb", 4},      {Format::rgba8_uint, "rgba8_uint", 4},
-    {Format::r16_unorm, "r16_unorm", 2},        {Format::r16_float, "r16_float", 2},
-    {Format::rg16_snorm, "rg16_snorm", 4},      {Format::rg16_unorm, "rg16_unorm", 4},
-    {Format::rg16_float, "rg16_float", 4},      {Format::rgba16_float, "rgba16_float", 8},
-    {Format::rgba16_uint, "rgba16_uint", 8},    {Format::r32_uint, "r32_uint", 4},
-    {Format::r32_float, "r32_float", 4},        {Format::rg32_uint, "rg32_uint", 8},
-    {Format::rg32_float, "rg32_float", 8},      {Format::rgba32_uint, "rgba32_uint", 16},
-    {Format::rgba32_float, "rgba32_float", 16}, {Format::r11g11b10_float, "r11g11b10_float", 4},
-    {Format::rgb9e5_float, "rgb9e5_float", 4},  {Format::d32_float, "d32_float", 4},
-};
-
-const FormatRow& row_of(Format f) {
-  const auto* row = std::ranges::find(kFormats, f, &FormatRow::format);
-  if (row == std::end(kFormats)) throw std::logic_error("a format without a row");
-  return *row;
-}
-
 size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<size_t> row(b.size() + 1);
   for (size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -50,9 +25,6 @@ size_t edit_distance(const std::string& a, const std::string& b) {
 }
 
 }  // namespace
-
-uint32_t bytes_per_texel(Format f) { return row_of(f).bytes; }
-const char* name_of(Format f) { return row_of(f).name; }
 
 const char* name_of(Feature f) {
   switch (f) {
@@ -78,6 +50,10 @@ const char* name_of(Feature f) {
       return "descriptor_indexing";
     case Feature::forward_progress:
       return "forward_progress";
+    case Feature::texture_compression_bc:
+      return "texture_compression_bc";
+    case Feature::sampler_anisotropy:
+      return "sampler_anisotropy";
   }
   throw std::logic_error("a feature without a name");
 }
@@ -103,6 +79,7 @@ const Port& port_of(const Kernel& kernel, const std::string& name) {
 }
 
 const std::vector<Bound>& bounds_of(const Kernel& k, const Variant& v) { return v.bounds ? *v.bounds : k.bounds; }
+Cost cost_of(const Kernel& k, const Variant& v, const Case& c) { return v.cost ? v.cost(c) : k.cost(c); }
 
 Extent random_extent(Random& r, uint32_t tile) {
   const auto between = [&](uint32_t low, uint32_t high) { return low + r.rng.below(high - low + 1); };

@@ -40,7 +40,7 @@ TEST(Transfer, ImagesOfEveryFormatComeBackAsTheyWere) {
   for (const Format f : kAllFormats)
     for (const Extent e : {Extent{1, 1}, Extent{7, 5}, Extent{64, 33}}) {
       const auto image = device::make_image(*device(), name_of(f), f, {}, e);
-      Bytes written = random_bytes(pixel_count(e) * bytes_per_texel(f), 1);
+      Bytes written = random_bytes(pixel_count(e) * bytes_per_block(f), 1);
       if (f == Format::d32_float)  // depths lie in 0..1
         for (uint64_t i = 0; i < pixel_count(e); ++i) {
           const float depth = static_cast<float>(i) / static_cast<float>(pixel_count(e));

@@ -116,14 +116,6 @@ Format format_named(const Json& json, const Place& place) {
   place.fail(json.dump() + " is not a format");
 }
 
-uint64_t texture_bytes(const Texture& t) {
-  uint64_t bytes = 0;
-  for (uint32_t level = 0; level < t.levels; ++level)
-    bytes += uint64_t{std::max(1u, t.width >> level)} * std::max(1u, t.height >> level) * t.layers *
-             bytes_per_texel(t.format);
-  return bytes;
-}
-
 Texture texture_of(const Json& json, const Place& place) {
   const auto size = [&](const char* key, uint64_t most) {
     return static_cast<uint32_t>(whole(member(json, key, place), most, place.in(key)));
@@ -134,8 +126,8 @@ Texture texture_of(const Json& json, const Place& place) {
             .layers = size("layers", 2048),
             .levels = size("levels", 17),
             .bytes = bytes_of(json, place)};
-  if (t.bytes.size() != texture_bytes(t))
-    place.fail(fmt::format("{} bytes, its size says {}", t.bytes.size(), texture_bytes(t)));
+  if (t.bytes.size() != bytes_of(t))
+    place.fail(fmt::format("{} bytes, its size says {}", t.bytes.size(), bytes_of(t)));
   return t;
 }
 

@@ -83,7 +83,7 @@ std::string misuse(const Layout& layout, const Expected& expected, const Bytes& 
 
 Layout layout_of_port(const Port& port) {
   if (port.kind == PortKind::buffer) return port.layout;
-  const uint32_t bytes = bytes_per_texel(port.format);
+  const uint32_t bytes = bytes_per_block(port.format);
   Layout layout{name_of(port.format), bytes, {}};
   if (bytes < 4) return layout;
   const bool is_float = port.format == Format::r32_float || port.format == Format::rg32_float ||

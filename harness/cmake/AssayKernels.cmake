@@ -38,13 +38,14 @@ function(assay_kernels target dir)
     endforeach()
   endforeach()
   add_library(${target} OBJECT ${objects})
-  target_link_libraries(${target} PUBLIC assay_vocabulary)
+  target_link_libraries(${target} PUBLIC assay_vocabulary assay_image)
   set(${target}_FOLDERS "${folders}" CACHE INTERNAL "")
   set_property(GLOBAL PROPERTY ${target}_SHADERS "${ids}")
 endfunction()
 
 # assay_registry(<target> <kernel folders> <planted folders>): all_kernels(), planted_kernels(), yardstick_kernels() and
-# all_shaders(). The yardsticks (harness/report/yardsticks) are in every registry.
+# all_shaders(). The yardsticks (harness/report/yardsticks) are in every registry, and so are the shaders of what devices
+# are probed with (harness/device/probes).
 function(assay_registry target folders planted)
   set(DECLARATIONS "")
   foreach(name ${folders} ${planted} ${assay_yardsticks_FOLDERS})
@@ -59,7 +60,9 @@ function(assay_registry target folders planted)
   get_property(ids GLOBAL PROPERTY assay_kernels_SHADERS)
   get_property(more GLOBAL PROPERTY assay_yardsticks_SHADERS)
   list(APPEND ids ${more})
-  set(objects assay_kernels assay_yardsticks)
+  get_property(more GLOBAL PROPERTY assay_probes_SHADERS)
+  list(APPEND ids ${more})
+  set(objects assay_kernels assay_yardsticks assay_probes)
   if(planted)
     get_property(more GLOBAL PROPERTY assay_planted_SHADERS)
     list(APPEND ids ${more})

@@ -29,6 +29,10 @@ constexpr FormatInfo kFormats[] = {
     {Format::rgba32_float, VK_FORMAT_R32G32B32A32_SFLOAT, "rgba32f", Scalar::f32},
     {Format::r11g11b10_float, VK_FORMAT_B10G11R11_UFLOAT_PACK32, "r11f_g11f_b10f", Scalar::f32},
     {Format::rgb9e5_float, VK_FORMAT_E5B9G9R9_UFLOAT_PACK32, nullptr, Scalar::f32},
+    {Format::bc4_unorm, VK_FORMAT_BC4_UNORM_BLOCK, nullptr, Scalar::f32},
+    {Format::bc5_unorm, VK_FORMAT_BC5_UNORM_BLOCK, nullptr, Scalar::f32},
+    {Format::bc7_unorm, VK_FORMAT_BC7_UNORM_BLOCK, nullptr, Scalar::f32},
+    {Format::bc7_srgb, VK_FORMAT_BC7_SRGB_BLOCK, nullptr, Scalar::f32},
     {Format::d32_float, VK_FORMAT_D32_SFLOAT, nullptr, Scalar::f32},
 };
 

@@ -167,9 +167,18 @@ Instance::~Instance() {
 }
 
 std::vector<Info> list() {
-  const Instance instance(Validation::off);
   std::vector<Info> infos;
-  for (Physical& p : physical_devices(instance)) infos.push_back(std::move(p.info));
+  {
+    const Instance instance(Validation::off);
+    for (Physical& p : physical_devices(instance)) infos.push_back(std::move(p.info));
+  }
+  for (Info& i : infos) {
+    if (!i.missing.empty()) continue;
+    try {
+      i = info(*open({.select = std::to_string(i.index)}));  // with what is only known by trying
+    } catch (const Error&) {                                 // taken: what it says of itself is listed all the same
+    }
+  }
   return infos;
 }
 

@@ -129,8 +129,8 @@ class Device : public std::enable_shared_from_this<Device> {
   Buffer staging = {};
   std::vector<VkImage> new_images = {};                // still to be brought into their layout, by the next submission
   std::map<VkImage, VkImageAspectFlags> aspects = {};  // of those
-  VkSampler sampler = VK_NULL_HANDLE;
-  Owned white = {};  // what unused texture slots show
+  VkSampler sampler = VK_NULL_HANDLE, anisotropic_sampler = VK_NULL_HANDLE;  // the second null where there is none
+  Owned white = {};                                                          // what unused texture slots show
 
   VkPipelineCache pipeline_cache = VK_NULL_HANDLE;
   size_t loaded_cache_bytes = 0;
@@ -210,6 +210,11 @@ void begin(Device&, Queue&);            // the queue's command buffer, empty, ne
 void submit_and_wait(Device&, Queue&);  // ends it; 60 s at most
 void full_barrier(VkCommandBuffer, bool to_host = false);
 void submit_once(Device&, const std::function<void(VkCommandBuffer)>& record);
+
+// ---- What is tried rather than believed
+// ------------------------------------------------------------------------------------------
+
+bool works_anisotropically(Device&);  // its anisotropic sampler reads the level of the footprint's width
 
 // ---- Pipelines
 // -----------------------------------------------------------------------------------------------------------

@@ -57,10 +57,12 @@ void bind_textures(BoundSet& set, const Lowering& l, const Binding& b, const Res
   if (b.count < r.textures.size())
     throw std::logic_error(
         fmt::format("{}: {} has {} slots, the shader {}", l.label, r.name, r.textures.size(), b.count));
+  const VkSampler sampler = l.plan.variant->anisotropic ? l.device.anisotropic_sampler : l.device.sampler;
+  if (!sampler) throw std::logic_error(l.label + ": the device has no anisotropic sampler");
   set.slots.push_back({b.slot, descriptor_type(b.kind), set.images.size(), b.count});
   for (uint32_t i = 0; i < b.count; ++i) {
     const Resource& t = i < r.textures.size() ? *r.textures[i] : *l.device.white;
-    set.images.push_back({l.device.sampler, view_of(t, t.format), VK_IMAGE_LAYOUT_GENERAL});
+    set.images.push_back({sampler, view_of(t, t.format), VK_IMAGE_LAYOUT_GENERAL});
   }
 }
 

@@ -1,6 +1,7 @@
 // The logical device: queues, features, names.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "harness/device/internal.h"
@@ -28,8 +29,9 @@ void create_queue(Device& d, const QueueChoice& choice) {
   ASSAY_VK(vkCreateFence(d.handle, &fence, nullptr, &q.fence));
 }
 
-void create_sampler(Device& d) {
-  // Without anisotropy: with it, lavapipe reads the largest level under textureGrad.
+// The anisotropic one lengthens a sample's footprint up to 16 times; 0: none. The other serves every variant that does
+// not ask, for what anisotropy does is free, and wrong on lavapipe (works_anisotropically).
+VkSampler create_sampler(const Device& d, float anisotropy) {
   const VkSamplerCreateInfo info = {.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
                                     .magFilter = VK_FILTER_LINEAR,
                                     .minFilter = VK_FILTER_LINEAR,
@@ -37,8 +39,17 @@ void create_sampler(Device& d) {
                                     .addressModeU = VK_SAMPLER_ADDRESS_MODE_REPEAT,
                                     .addressModeV = VK_SAMPLER_ADDRESS_MODE_REPEAT,
                                     .addressModeW = VK_SAMPLER_ADDRESS_MODE_REPEAT,
+                                    .anisotropyEnable = anisotropy > 0,
+                                    .maxAnisotropy = anisotropy,
                                     .maxLod = VK_LOD_CLAMP_NONE};
-  ASSAY_VK(vkCreateSampler(d.handle, &info, nullptr, &d.sampler));
+  VkSampler sampler = VK_NULL_HANDLE;
+  ASSAY_VK(vkCreateSampler(d.handle, &info, nullptr, &sampler));
+  return sampler;
+}
+void create_samplers(Device& d, const VkPhysicalDeviceFeatures& features) {
+  d.sampler = create_sampler(d, 0);
+  if (features.samplerAnisotropy)
+    d.anisotropic_sampler = create_sampler(d, std::min(16.0f, d.physical.properties.limits.maxSamplerAnisotropy));
 }
 
 void destroy_queue(Device& d, Queue& q) {
@@ -83,6 +94,7 @@ Device::Device(std::unique_ptr<Instance> i, Physical p) : instance(std::move(i))
     for (Queue& q : queues) destroy_queue(*this, q);
     vkDestroyPipelineCache(handle, pipeline_cache, nullptr);
     vkDestroySampler(handle, sampler, nullptr);
+    vkDestroySampler(handle, anisotropic_sampler, nullptr);
     vkDestroyDevice(handle, nullptr);
     throw;
   }
@@ -99,7 +111,7 @@ void Device::create() {
   if (physical.second) create_queue(*this, *physical.second);
   families = {queues[0].family};
   if (queues.size() > 1 && queues[1].family != families[0]) families.push_back(queues[1].family);
-  create_sampler(*this);
+  create_samplers(*this, features.core.features);
   load_pipeline_cache(*this);
 }
 
@@ -120,6 +132,7 @@ Device::~Device() {
   for (auto& [key, pipeline] : pipelines) destroy_pipeline(*this, pipeline);
   vkDestroyPipelineCache(handle, pipeline_cache, nullptr);
   vkDestroySampler(handle, sampler, nullptr);
+  vkDestroySampler(handle, anisotropic_sampler, nullptr);
   vkDestroyBuffer(handle, staging.handle, nullptr);
   give_memory(*this, staging.memory);
   release_free_memory(*this);
@@ -144,7 +157,10 @@ Handle open(const Options& options) {
                             chosen.info.missing));
   const auto device = std::make_shared<Device>(std::move(instance), std::move(chosen));
   device->self = device;
-  return Handle(device.get());
+  Handle handle(device.get());
+  if (handle->anisotropic_sampler && works_anisotropically(*handle))
+    handle->physical.info.features.insert(Feature::sampler_anisotropy);
+  return handle;
 }
 
 const Info& info(const Device& d) { return d.physical.info; }

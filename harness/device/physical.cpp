@@ -74,6 +74,7 @@ void set_features(Info& info, const FeatureChain& f, VkSubgroupFeatureFlags subg
   set(Feature::subgroup_clustered, subgroup & VK_SUBGROUP_FEATURE_CLUSTERED_BIT);
   set(Feature::primitive_id, f.core.features.geometryShader);  // gl_PrimitiveID in a fragment shader asks for Geometry
   set(Feature::draw_indirect_count, f.v12.drawIndirectCount);
+  set(Feature::texture_compression_bc, f.core.features.textureCompressionBC);
   set(Feature::int64, f.core.features.shaderInt64);
   set(Feature::image_int64_atomics, f.image_atomics.shaderImageInt64Atomics && f.core.features.shaderInt64);
   set(Feature::float16, f.v12.shaderFloat16 && f.v11.storageBuffer16BitAccess);

@@ -128,13 +128,13 @@ Owned make_buffer(Device& d, const std::string& name, uint64_t payload) {
 
 Owned make_image(Device& d, const std::string& name, Format format, std::optional<Format> view, Extent extent) {
   require_extent(name, extent, d);
-  if (view && bytes_per_texel(*view) != bytes_per_texel(format))
+  if (view && bytes_per_block(*view) != bytes_per_block(format))
     throw std::logic_error(fmt::format("{}: {} and {} differ in size", name, name_of(format), name_of(*view)));
   auto r = std::make_shared<Resource>(d.shared_from_this(), name, PortKind::image);
   r->format = format;
   if (view && *view != format) r->second = view;
   r->extent = extent;
-  r->payload = pixel_count(extent) * bytes_per_texel(format);
+  r->payload = pixel_count(extent) * bytes_per_block(format);
   const VkImageUsageFlags own = view_usage(d, format), other = r->second ? view_usage(d, *r->second) : 0;
   create_image(*r, own | other);
   add_view(*r, format, own, VK_IMAGE_VIEW_TYPE_2D);
@@ -153,9 +153,7 @@ Owned make_texture(Device& d, const std::string& name, const Texture& t) {
   r->extent = {t.width, t.height};
   r->layers = t.layers;
   r->levels = t.levels;
-  for (uint32_t level = 0; level < t.levels; ++level)
-    r->payload += uint64_t{std::max(1u, t.width >> level)} * std::max(1u, t.height >> level) * t.layers *
-                  bytes_per_texel(t.format);
+  r->payload = bytes_of(t);
   if (r->payload != t.bytes.size())
     throw std::logic_error(fmt::format("{}: {}x{}, {} layers, {} levels of {} are {} bytes, {} given", name, t.width,
                                        t.height, t.layers, t.levels, name_of(t.format), r->payload, t.bytes.size()));

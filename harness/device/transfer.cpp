@@ -14,25 +14,25 @@ namespace {
 
 enum class Way { to_device, to_host };
 
-// Rows of one layer of one level, as they lie in the payload and in the staging buffer.
+// Rows of texels or blocks of one layer of one level, as they lie in the payload and in the staging buffer.
 struct Piece {
   uint64_t at = 0, bytes = 0, staged_at = 0;
   VkBufferImageCopy copy = {};
 };
 
 std::vector<Piece> pieces_of(const Resource& r) {
-  const uint32_t texel = bytes_per_texel(r.format);
+  const uint32_t side = block_side(r.format);
   std::vector<Piece> pieces;
   uint64_t at = 0;
   for (uint32_t level = 0; level < r.levels; ++level) {
     const uint32_t width = std::max(1u, r.extent.width >> level), height = std::max(1u, r.extent.height >> level);
-    const uint64_t row = uint64_t{width} * texel;
-    const auto most =
-        static_cast<uint32_t>(kStagingBytes / row);  // at least 16: sides end at 65,536, texels at 16 bytes
+    const uint64_t row = bytes_of(r.format, width, side);
+    // Texels, whole blocks of them; at least 16 rows: sides end at 65,536, texels and blocks at 16 bytes.
+    const uint32_t most = static_cast<uint32_t>(kStagingBytes / row) * side;
     for (uint32_t layer = 0; layer < r.layers; ++layer)
       for (uint32_t y = 0; y < height; y += most) {
         const uint32_t rows = std::min(most, height - y);
-        Piece p{.at = at, .bytes = rows * row};
+        Piece p{.at = at, .bytes = bytes_of(r.format, width, rows)};
         p.copy.imageSubresource = {aspect_of(r.format), level, layer, 1};
         p.copy.imageOffset = {0, static_cast<int32_t>(y), 0};
         p.copy.imageExtent = {width, rows, 1};

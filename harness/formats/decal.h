@@ -36,10 +36,10 @@ struct ReceiverRecord {
   vec4 row_z;
 };
 
-// The atlas: three array textures of one size and as many levels.
-SHARED_CONST uint kAtlasAlbedo = 0u;     // rgba8_srgb, alpha is coverage
-SHARED_CONST uint kAtlasNormal = 1u;     // rgba8_unorm, x and y in red and green
-SHARED_CONST uint kAtlasRoughness = 2u;  // rgba8_unorm, red
+// The atlas: three array textures of one size and as many levels; in blocks, the second format.
+SHARED_CONST uint kAtlasAlbedo = 0u;     // rgba8_srgb or bc7_srgb, alpha is coverage
+SHARED_CONST uint kAtlasNormal = 1u;     // rgba8_unorm or bc5_unorm, x and y in red and green
+SHARED_CONST uint kAtlasRoughness = 2u;  // rgba8_unorm or bc4_unorm, red
 SHARED_CONST uint kAtlasTextures = 3u;
 
 // What a view has of them.

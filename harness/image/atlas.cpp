@@ -39,8 +39,6 @@ double srgb_of(double linear) {
   return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
 
-bool is_srgb(Format f) { return f == Format::rgba8_srgb; }
-
 Texel decoded(const uint8_t* codes, Format f) {
   static const std::array<double, 256> linear = [] {
     std::array<double, 256> of;
@@ -121,11 +119,12 @@ std::vector<PagePlace> pack_shelves(std::span<const Extent> sizes, uint32_t side
   return places;
 }
 
-DecalAtlas make_atlas(std::span<const DecalPictures> decals, uint32_t side, uint32_t levels) {
-  if (levels == 0 || levels > 16 || side == 0 || side % (1u << (levels - 1)) != 0)
-    throw std::runtime_error(fmt::format("{} levels do not divide a page of {} texels", levels, side));
-  const uint32_t last = 1u << (levels - 1), border = ceil_div(9 * last, 16);
-  const auto with_border = [&](uint32_t size) { return ceil_div(size + 2 * border, last) * last; };
+DecalAtlas make_atlas(std::span<const DecalPictures> decals, uint32_t side, uint32_t levels, uint32_t block) {
+  if (levels == 0 || levels > 16 || side == 0 || block == 0 || side % (block << (levels - 1)) != 0)
+    throw std::runtime_error(
+        fmt::format("{} levels of blocks of {} texels do not divide a page of {} texels", levels, block, side));
+  const uint32_t last = 1u << (levels - 1), border = ceil_div(9 * last, 16), unit = block * last;
+  const auto with_border = [&](uint32_t size) { return ceil_div(size + 2 * border, unit) * unit; };
   std::vector<Extent> own, cells;
   for (const DecalPictures& d : decals) {
     own.push_back(size_of(d));

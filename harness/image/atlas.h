@@ -35,12 +35,13 @@ struct DecalAtlas {
   uint32_t border = 0;  // texels of the first level around each
 };
 
-// Pages of `side` texels with `levels` mips, both such that side is a multiple of 2^(levels - 1), the last level's
-// texel. A decal's cell begins and ends at such texels, so that none at any level holds two decals. Around the decal
-// its outermost texels are repeated over 9/16 of one or more: what a linear filter reads at any level from within the
-// decal, half a texel away and a sixteenth for its weights' steps, is its own. Colours of coarser levels are means of
-// linear light by coverage, so that what cannot be seen colours nothing; the rest are plain means.
-// Pictures of unequal size, and what pack_shelves refuses: std::runtime_error.
-DecalAtlas make_atlas(std::span<const DecalPictures> decals, uint32_t side, uint32_t levels);
+// Pages of `side` texels with `levels` mips. A decal's cell begins and ends at texels of the last level, so that none
+// at any level holds two decals; or at `block` of them a side, so that none of the blocks of as many texels does. Side
+// is a multiple of it, block 2^(levels - 1). Around the decal its outermost texels are repeated over 9/16 of one or
+// more: what a linear filter reads at any level from within the decal, half a texel away and a sixteenth for its
+// weights' steps, is its own. Colours of coarser levels are means of linear light by coverage, so that what cannot be
+// seen colours nothing; the rest are plain means. Pictures of unequal size, and what pack_shelves refuses:
+// std::runtime_error.
+DecalAtlas make_atlas(std::span<const DecalPictures> decals, uint32_t side, uint32_t levels, uint32_t block = 1);
 
 }  // namespace assay::image

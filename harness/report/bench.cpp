@@ -128,7 +128,7 @@ Run bench(device::Device& d, const std::vector<Entry>& entries, uint32_t count, 
       prepared = check::prepare(*e.kernel, input_of(e), device::info(d).traits);
     Row row{.entry = e, .case_name = prepared.input.name};
     row.verified = verify(d, e, prepared);
-    row.cost = e.kernel->cost(prepared.input);
+    row.cost = cost_of(*e.kernel, *e.variant, prepared.input);
     if (row.verified.refused.empty()) time_row(d, run, row, prepared.input, count);
     run.rows.push_back(std::move(row));
     if (has_errors(entries, e)) {

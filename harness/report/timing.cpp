@@ -68,7 +68,7 @@ uint32_t calibrate(device::Device& d, Loop& loop) {
 
 Loop make_loop(device::Device& d, const device::Plan& plan, const Case& c) {
   const uint64_t span = device::info(d).type == "cpu" ? kCpuCacheSpan : kGpuCacheSpan;
-  const Cost cost = plan.kernel->cost(c);
+  const Cost cost = cost_of(*plan.kernel, *plan.variant, c);
   const uint64_t touched = std::max<uint64_t>(cost.bytes_read + cost.bytes_written, 1);
   Loop loop;
   add_set(d, loop, plan, c);

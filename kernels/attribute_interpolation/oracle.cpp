@@ -2,6 +2,7 @@
 
 #include <cfloat>
 
+#include "harness/judged.h"
 #include "kernels/attribute_interpolation/codes.h"
 #include "kernels/attribute_interpolation/triangle.h"
 
@@ -14,33 +15,6 @@ std::string answer_name(const std::string& port, const std::string& formula, uin
 namespace {
 
 constexpr uint64_t kSampledAbove = 1u << 16;  // pixels
-constexpr uint32_t kStrata = 256;             // a side
-
-// All pixels, or a stratified 65,536 of them and the last row and column: invocations share nothing, so no border
-// within is special.
-std::vector<uint64_t> judged_pixels(const Case& c) {
-  const uint64_t count = pixels(c);
-  std::vector<uint64_t> list;
-  if (c.judge_all || count <= kSampledAbove) {
-    for (uint64_t i = 0; i < count; ++i) list.push_back(i);
-    return list;
-  }
-  const auto [width, height] = c.extent;
-  Pcg32 rng(c.seed ^ count);
-  const auto stratum = [&](uint32_t k, uint32_t size) {
-    return std::min(static_cast<uint32_t>((k + rng.unit()) * size / kStrata), size - 1);
-  };
-  for (uint32_t j = 0; j < kStrata; ++j)
-    for (uint32_t i = 0; i < kStrata; ++i) {
-      const uint32_t y = stratum(j, height);
-      list.push_back(uint64_t{y} * width + stratum(i, width));
-    }
-  for (uint32_t y = 0; y < height; ++y) list.push_back(uint64_t{y} * width + width - 1);
-  for (uint32_t x = 0; x < width; ++x) list.push_back(uint64_t{height - 1} * width + x);
-  std::ranges::sort(list);
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-  return list;
-}
 
 template <class Fields>
 void append(Bytes& to, const Fields& f) {
@@ -204,14 +178,14 @@ void add_decoded(Expected& to, const Pixel& p, uint32_t encoding) {
 
 Answer interpolate(const Case& c) {
   const Scene scene = scene_of(c);
-  const std::vector<uint64_t> judged = judged_pixels(c);
+  const std::vector<uint64_t> judged = judged_pixels(c, kSampledAbove, JudgedBorders::last);
   Answer answer;
   const auto expected = [&](const std::string& port, Formula f, uint32_t encoding) -> Expected& {
     Expected& e = answer[answer_name(port, name_of(f), encoding)];
     if (e.first.empty()) e.first = {0}, e.judged = judged;
     return e;
   };
-  for (const uint64_t i : judged) {
+  for_each_judged(c, judged, [&](uint64_t i) {
     const auto triangle = triangle_at(scene, i);
     for (const Formula f : kFormulas) {
       Pixel p;
@@ -225,7 +199,7 @@ Answer interpolate(const Case& c) {
       }
       add_unpacked(expected("unpacked", f, 0), p);
     }
-  }
+  });
   return answer;
 }
 

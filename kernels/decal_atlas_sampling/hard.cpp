@@ -213,6 +213,17 @@ std::vector<HardCase> filter_cases() {
          v.atlas.side = 8, v.atlas.levels = 4, v.atlas.look = Look::loud;
          v.decals = {on_wall(v, 18, 0.5)};
        })},
+      {"levels_smaller_than_a_block", "a page of 16 texels down to one of one", made([](View& v) {
+         v.atlas.width = v.atlas.height = v.atlas.side = 16, v.atlas.levels = 5, v.atlas.look = Look::levels;
+         for (uint32_t i = 0; i < 5; ++i) {
+           const double half = std::exp2(double(i)) * 0.15;
+           v.decals.push_back(decal({1.6 * i - 3.5, 0.2, -8}, {0, 0, 1}, 0.3, {half, half, 1}, v.atlas, i));
+         }
+       })},
+      {"page_of_odd_size", "the last column and row of blocks reach over the page's sides", made([](View& v) {
+         v.atlas.width = 30, v.atlas.height = 26, v.atlas.side = 13, v.atlas.levels = 2;
+         v.decals = {on_wall(v, 3), on_wall(v, 0, 2)};
+       })},
       {"page_past_the_end", "a page past the end is the last", with([](DecalRecord& d) { d.page = 900; })},
   };
 }

@@ -23,6 +23,7 @@ struct AtlasPlan {
   enum class Look { painted, loud, levels, stripes } look = Look::painted;
 };
 std::vector<Texture> atlas_of(const AtlasPlan&);
+void set_atlas(Case&, std::vector<Texture> atlas);  // as it is, and in blocks
 
 // A view straight ahead (-z), the screen's edges at slopes of 1, surfaces set by planes, and decals.
 struct View {

@@ -22,7 +22,10 @@ Groups per_pixel(const Case& c) {
   return {ceil_div(c.extent.width, 16), ceil_div(c.extent.height, 16), 1};
 }
 
-const std::vector<std::string> kByList = {"gradient", "lod", "anisotropic_taps", "scalarised"};
+const std::vector<std::string> kByList = {
+    "gradient", "lod", "scalarised", "anisotropic_taps", "anisotropic_hardware", "block_compressed"};
+const std::vector<std::string> kOfTexels = {"gradient", "lod", "scalarised", "anisotropic_taps", "anisotropic_hardware",
+                                            "bitfield"};
 
 Port only_in(std::vector<std::string> variants, Port p) {
   p.only_in = std::move(variants);
@@ -38,17 +41,20 @@ Port channel(const std::string& name, Format format) {
           .producers = {"deferred_texturing." + name}};
 }
 
-// Each port once, as the default binds them: the lists as long as they are, every texel.
-Cost cost(const Case& c) {
+// Each port once: the lists as long as they are, every texel or block.
+Cost cost_with(const std::string& atlas, const Case& c) {
   const auto p = c.params<DecalParams>();
   uint64_t texels = 0;
-  for (const Texture& t : c.textures.at("atlas")) texels += t.bytes.size();
+  for (const Texture& t : c.textures.at(atlas)) texels += t.bytes.size();
   return {.bytes_read = pixels(c) * (4 + 4 + 4 + 4) + edges(c) * sizeof(float) + p.decals * sizeof(DecalRecord) +
                         p.receivers * sizeof(ReceiverRecord) + cells(c) * sizeof(uvec2) + p.entries * sizeof(uint) +
                         texels,
           .bytes_written = pixels(c) * (4 + 4),
           .operations = pixels(c) * 40};  // position 20, cell 20; what decals cost is the scene's
 }
+
+Cost cost(const Case& c) { return cost_with("atlas", c); }
+Cost cost_of_blocks(const Case& c) { return cost_with("atlas_blocks", c); }
 
 Bound channel_bound(const std::string& port, Unpack unpack, const std::string& prefix, std::string reason) {
   Bound b = between({port}, std::move(reason));
@@ -66,10 +72,22 @@ Variant variant(const std::string& name, const std::string& note, const std::str
 std::vector<Variant> variants() {
   Variant scalarised = variant("scalarised", "a wave walks the union of its cells' lists, a decal at a time");
   scalarised.needs = {Feature::subgroup_arithmetic, Feature::subgroup_ballot};
+  Variant blocks = variant("block_compressed", "as gradient; pages in BC7, BC5 and BC4", kBlocks);
+  blocks.needs = {Feature::texture_compression_bc}, blocks.cost = cost_of_blocks;
+  // What an anisotropic sampler takes in is free (Vulkan, Texel Anisotropic Filtering): a figure, without a bound.
+  const Variant hardware = {.name = "anisotropic_hardware",
+                            .passes = {Dispatch{"gradient.comp", per_pixel}},
+                            .needs = {Feature::sampler_anisotropy},
+                            .baseline = true,
+                            .anisotropic = true,
+                            .note = "as gradient; an anisotropic sampler"};
   return {variant("gradient", "gradients given to the sampler, isotropic and trilinear"),
           variant("lod", "the level worked out once for the three pages"),
-          variant("anisotropic_taps", "four samples along the longer derivative", kTaps), std::move(scalarised),
-          variant("bitfield", "the cell's decals as bits", kBits)};
+          variant("anisotropic_taps", "four samples along the longer derivative", kTaps),
+          std::move(scalarised),
+          variant("bitfield", "the cell's decals as bits", kBits),
+          std::move(blocks),
+          hardware};
 }
 
 std::vector<Mutant> mutants() {
@@ -120,7 +138,8 @@ Kernel describe() {
                 only_in(kByList, reads<uvec2>("cells", cells, {"cluster_lists.cells"})),
                 only_in(kByList, reads<uint>("entries", counted(&DecalParams::entries), {"cluster_lists.entries"})),
                 only_in({"bitfield"}, reads<uint>("decal_bits", bit_words, {"cluster_voxelization.decal_bits"})),
-                reads_textures("atlas", kAtlasTextures, {"scene.decal_atlas"})},
+                only_in(kOfTexels, reads_textures("atlas", kAtlasTextures, {"scene.decal_atlas"})),
+                only_in({"block_compressed"}, reads_textures("atlas_blocks", kAtlasTextures))},
       .variants = variants(),
       .oracle = decaled,
       .inputs = {.random = random_case, .branches = branches(), .hard = hard_cases(), .smaller = smaller},

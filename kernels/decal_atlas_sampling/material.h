@@ -1,6 +1,6 @@
 // A pixel's material under decals, in intervals.
 #pragma once
-#include "kernels/decal_atlas_sampling/filter.h"
+#include "harness/filter_oracle.h"
 #include "kernels/decal_atlas_sampling/layout.h"
 
 namespace assay::decal_atlas_sampling {
@@ -22,7 +22,7 @@ struct BlendedMaterial {
 enum class Filtering { trilinear, taps };
 
 struct Atlas {
-  AtlasFilter albedo, normal, roughness;
+  TextureFilter albedo, normal, roughness;
   uint32_t width, height, levels;
   float border;  // texels
 };

@@ -55,10 +55,19 @@ struct Inputs {
   std::span<const ReceiverRecord> receivers;
   std::span<const uvec2> cells;
   std::span<const uint> entries, bits;
-  Atlas atlas;
+  Atlas atlas, blocks;
 };
+Atlas atlas_of(const Case& c, const std::string& port) {
+  const std::vector<Texture>& t = c.textures.at(port);
+  return {TextureFilter(t[kAtlasAlbedo], c.device),
+          TextureFilter(t[kAtlasNormal], c.device),
+          TextureFilter(t[kAtlasRoughness], c.device),
+          t[0].width,
+          t[0].height,
+          t[0].levels,
+          c.params<DecalParams>().atlas_border};
+}
 Inputs inputs_of(const Case& c) {
-  const std::vector<Texture>& t = c.textures.at("atlas");
   return {c.params<DecalParams>(),
           c.input<float>("depth"),
           c.input<float>("slice_edges"),
@@ -70,9 +79,8 @@ Inputs inputs_of(const Case& c) {
           c.input<uvec2>("cells"),
           c.input<uint>("entries"),
           c.input<uint>("decal_bits"),
-          {AtlasFilter(t[kAtlasAlbedo], c.device), AtlasFilter(t[kAtlasNormal], c.device),
-           AtlasFilter(t[kAtlasRoughness], c.device), t[0].width, t[0].height, t[0].levels,
-           c.params<DecalParams>().atlas_border}};
+          atlas_of(c, "atlas"),
+          atlas_of(c, "atlas_blocks")};
 }
 
 Intervals3 intervals(const vec3& v) { return {exactly(v.x), exactly(v.y), exactly(v.z)}; }
@@ -134,13 +142,13 @@ BlendedMaterial material_of(const Inputs& in, uint64_t pixel) {
 }
 
 BlendedMaterial blended(const Inputs& in, uint64_t pixel, const SurfacePoint& p, const std::vector<uint32_t>& decals,
-                        Filtering filtering) {
+                        const Atlas& atlas, Filtering filtering = Filtering::trilinear) {
   BlendedMaterial m = material_of(in, pixel);
   for (const uint32_t i : decals) {
     if (i >= in.params.decals) continue;
     const uint32_t receiver = in.decals[i].receiver;
     if (receiver != kNoReceiver && receiver >= in.params.receivers) continue;
-    apply(m, in.decals[i], receiver == kNoReceiver ? nullptr : &in.receivers[receiver], p, in.atlas, filtering);
+    apply(m, in.decals[i], receiver == kNoReceiver ? nullptr : &in.receivers[receiver], p, atlas, filtering);
   }
   return m;
 }
@@ -205,26 +213,26 @@ Unpack unpack_normal() { return unpack(normal_of); }
 Answer decaled(const Case& c) {
   const Inputs in = inputs_of(c);
   const std::vector<uint64_t> judged = judged_pixels(c, kSampledAbove);
-  const uint64_t count = judged.empty() ? pixel_count(c.extent) : judged.size();
-  Answers lists, taps, bits;
-  for (uint64_t i = 0; i < count; ++i) {
-    const uint64_t pixel = judged.empty() ? i : judged[i];
+  Answers lists, taps, bits, blocks;
+  for_each_judged(c, judged, [&](uint64_t pixel) {
     const uint32_t normal = in.normal[pixel];
     if (!has_surface(in.depth[pixel])) {
-      for (Answers* a : {&lists, &taps, &bits}) a->untouched(in.base_roughness[pixel], normal), a->end_pixel();
-      continue;
+      for (Answers* a : {&lists, &taps, &bits, &blocks}) a->untouched(in.base_roughness[pixel], normal), a->end_pixel();
+      return;
     }
     const SurfacePoint p = point_at(in, pixel);
     const uint32_t cell = cell_of(in, pixel);
     const std::vector<uint32_t> from_list = listed(in, cell), from_bits = marked(in, cell);
-    const BlendedMaterial m = blended(in, pixel, p, from_list, Filtering::trilinear);
+    const BlendedMaterial m = blended(in, pixel, p, from_list, in.atlas);
     lists.add(m, normal);
-    taps.add(blended(in, pixel, p, from_list, Filtering::taps), normal);
-    bits.add(from_bits == from_list ? m : blended(in, pixel, p, from_bits, Filtering::trilinear), normal);
-    for (Answers* a : {&lists, &taps, &bits}) a->end_pixel();
-  }
+    taps.add(blended(in, pixel, p, from_list, in.atlas, Filtering::taps), normal);
+    bits.add(from_bits == from_list ? m : blended(in, pixel, p, from_bits, in.atlas), normal);
+    blocks.add(blended(in, pixel, p, from_list, in.blocks), normal);
+    for (Answers* a : {&lists, &taps, &bits, &blocks}) a->end_pixel();
+  });
   Answer answer;
   lists.put(answer, "", judged), taps.put(answer, kTaps, judged), bits.put(answer, kBits, judged);
+  blocks.put(answer, kBlocks, judged);
   return answer;
 }
 

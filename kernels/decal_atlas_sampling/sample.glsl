@@ -5,7 +5,12 @@
 #define DECAL_ATLAS_SAMPLING_SAMPLE
 #include "kernels/decal_atlas_sampling/common.glsl"
 
+#ifdef SAMPLE_BLOCKS
+layout(binding = 10) uniform sampler2DArray atlas_blocks[3];
+#define atlas atlas_blocks
+#else
 layout(binding = 10) uniform sampler2DArray atlas[3];
+#endif
 
 struct Sample {
   vec4 albedo;  // linear, coverage

@@ -3,6 +3,7 @@
 
 #include "harness/clusters.h"
 #include "harness/half.h"
+#include "harness/image/block_textures.h"
 #include "kernels/decal_atlas_sampling/inputs.h"
 
 namespace assay::decal_atlas_sampling {
@@ -105,6 +106,13 @@ DecalRecord decal(const dvec3& at, const dvec3& outward, double angle, const dve
           .page = cell / (columns * rows) % a.pages};
 }
 
+void set_atlas(Case& c, std::vector<Texture> atlas) {
+  c.textures["atlas_blocks"] = {image::in_blocks(atlas[kAtlasAlbedo], Format::bc7_srgb),
+                                image::in_blocks(atlas[kAtlasNormal], Format::bc5_unorm),
+                                image::in_blocks(atlas[kAtlasRoughness], Format::bc4_unorm)};
+  c.textures["atlas"] = std::move(atlas);
+}
+
 View::View(Extent e) : extent(e) {
   params.width = e.width, params.height = e.height;
   params.grid = grid_over(e, coarse_cell(e), 24);
@@ -175,7 +183,7 @@ Case View::to_case() const {
   c.set_input("cells", cells);
   c.set_input("entries", entries);
   c.set_input("decal_bits", bits);
-  c.textures["atlas"] = atlas_of(atlas);
+  set_atlas(c, atlas_of(atlas));
   if (last) last(c);
   return c;
 }

@@ -1,6 +1,7 @@
 #include "kernels/deferred_lighting/oracle.h"
 
 #include "harness/half.h"
+#include "harness/judged.h"
 #include "harness/lighting_oracle.h"
 #include "kernels/deferred_lighting/layout.h"
 
@@ -112,11 +113,6 @@ std::vector<uint64_t> judged_pixels(const View& v) {
   if (v.c.judge_all || pixels(v.c) <= most) return judged;
   for (uint64_t i = 0; i < pixels(v.c); i += pixels(v.c) / most | 1) judged.push_back(i);
   return judged;
-}
-
-template <class F>
-void for_each_judged(const Case& c, const std::vector<uint64_t>& judged, F f) {
-  for (uint64_t i = 0; i < (judged.empty() ? pixels(c) : judged.size()); ++i) f(judged.empty() ? i : judged[i]);
 }
 
 // Denormal floats may be flushed on the way, and so may halves below the least normal one.

@@ -242,15 +242,13 @@ std::map<uint64_t, std::vector<uint64_t>> copies(const Case& c) {
 Answers answers_of(const Inputs& in, const Case& c, const std::vector<uint64_t>& judged, Source source) {
   const auto copied = copies(c);
   Answers answers;
-  const uint64_t count = judged.empty() ? pixel_count(c.extent) : judged.size();
-  for (uint64_t i = 0; i < count; ++i) {
-    const uint64_t pixel = judged.empty() ? i : judged[i];
+  for_each_judged(c, judged, [&](uint64_t pixel) {
     answers.add(texel_at(in, pixel, source));
     // A variant without lists shades such a pixel itself.
     if (const auto it = copied.find(pixel); it != copied.end())
       for (const uint64_t from : it->second) answers.add(texel_at(in, from, source));
     answers.end_pixel();
-  }
+  });
   answers.close(judged);
   return answers;
 }

@@ -1,25 +1,23 @@
 // What a device may compute: interval arithmetic in double, each operation widened by what Vulkan allows fp32 to lose.
 // Formulas written in it read like the technique and bound its error at once. Sums and products may be fused, and
-// reordered between operands of one formula, for every step contains the unrounded value.
+// reordered between operands of one formula, for every step contains the unrounded value. Beside the Interval of
+// harness/bounded.h it knows what a hostile mesh makes: NaN, what overflows, and 0 times the unknown.
 #pragma once
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-
-#include "harness/oracle.h"
+#include "harness/bounded.h"
 
 namespace assay::deferred_texturing {
 
 constexpr double kUlp = 2 * kUnitRoundoff;  // of a float, relative, at most
 constexpr double kTiny = 0x1p-126;          // denormals may be flushed
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
+using bounded::kInfinite;
 
 struct Range {
   double low = 0, high = 0;
   Range() = default;
   constexpr Range(double exact) : low(exact), high(exact) {}  // NOLINT: a number is a range
   constexpr Range(double l, double h) : low(l), high(h) {}
+  constexpr Range(Interval i) : low(i.low), high(i.high) {}    // NOLINT: the same without NaN
+  constexpr operator Interval() const { return {low, high}; }  // NOLINT: of one that is no NaN
   double middle() const { return low + (high - low) / 2; }
   double radius() const { return (high - low) / 2; }
   bool is_nan() const { return std::isnan(low); }  // surely not a number

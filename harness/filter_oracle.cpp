@@ -1,6 +1,6 @@
-#include "kernels/decal_atlas_sampling/filter.h"
+#include "harness/filter_oracle.h"
 
-namespace assay::decal_atlas_sampling {
+namespace assay {
 
 namespace {
 
@@ -9,7 +9,7 @@ constexpr double kUnorm = 1.0 / 255;
 // value needs steps of 1 / (255 * 12.92) to be told from its neighbours at all; where it is larger, it may be held as a
 // half, truncated once when it is decoded and once a lerp.
 constexpr double kUnormFilter = 3 * kUnorm, kSrgbFilter = 3 * kUnorm / 12.92, kSrgbRelative = 4 * 0x1p-10;
-constexpr double kWidest = 8;  // texels a side that are searched; beyond, the whole page's range is taken
+constexpr double kWidest = 8;  // texels a side that are searched; beyond, the whole layer's range is taken
 constexpr Interval kNothing = {bounded::kInfinite, -bounded::kInfinite};
 
 double linear_of(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4); }
@@ -57,63 +57,45 @@ void widen(Intervals4& to, const Intervals4& by) {
 
 }  // namespace
 
-Interval mixed(Interval a, Interval b, Interval t) {
-  Interval all = kNothing;
-  for (const double x : {a.low, a.high})
-    for (const double y : {b.low, b.high})
-      for (const double w : {t.low, t.high}) all = hull(all, exactly(x + (y - x) * w));
-  const double size = std::max(std::fabs(a.low), std::fabs(a.high)) + std::max(std::fabs(b.low), std::fabs(b.high));
-  const double error = 3 * bounded::u * bounded::kSlack * size;
-  return {all.low - error, all.high + error};
+TextureFilter::TextureFilter(const Texture& t, const DeviceTraits& d) : texture_(&t), device_(d) {
+  if (t.format != Format::rgba8_unorm && t.format != Format::rgba8_srgb && block_side(t.format) == 1)
+    throw std::logic_error(std::string("the oracle filters no ") + name_of(t.format));
 }
 
-Interval sum_of(std::initializer_list<Interval> terms) {
-  Interval sum;
-  double size = 0;
-  for (const Interval t : terms) {
-    sum.low += t.low, sum.high += t.high;
-    size += std::max(std::fabs(t.low), std::fabs(t.high));
-  }
-  const double error = static_cast<double>(terms.size()) * bounded::u * bounded::kSlack * size;
-  return {sum.low - error, sum.high + error};
-}
-
-Interval absolute(Interval i) {
-  const double a = std::fabs(i.low), b = std::fabs(i.high);
-  return {i.low <= 0 && i.high >= 0 ? 0 : std::min(a, b), std::max(a, b)};
-}
-
-Interval AtlasFilter::on_levels(double low, double high) const {
-  const double step = 2 * std::ldexp(1.0, -static_cast<int>(device_.mipmap_bits)), last = texture_.levels - 1;
+Interval TextureFilter::on_levels(double low, double high) const {
+  const double step = 2 * std::ldexp(1.0, -static_cast<int>(device_.mipmap_bits)), last = texture_->levels - 1;
   return {std::clamp(low - step, 0.0, last), std::clamp(high + step, 0.0, last)};
 }
 
-Interval AtlasFilter::level_of(const TexelDerivatives& d) const {
+Interval TextureFilter::level_of(const TexelDerivatives& d) const {
   const Interval ux = absolute(d.u_dx), vx = absolute(d.v_dx), uy = absolute(d.u_dy), vy = absolute(d.v_dy);
   return on_levels(std::log2(std::max({ux.low, vx.low, uy.low, vy.low})),
                    std::log2(std::sqrt(2.0) * std::max(ux.high + vx.high, uy.high + vy.high)));
 }
-Interval AtlasFilter::level_of(Interval level) const { return on_levels(level.low, level.high); }
+Interval TextureFilter::level_of(Interval level) const { return on_levels(level.low, level.high); }
 
-Interval AtlasFilter::Level::texel(int64_t x, int64_t y, uint32_t channel) const {
-  const uint32_t code =
-      std::to_integer<uint32_t>(texels[(wrapped(y, height) * width + wrapped(x, width)) * 4 + channel]);
-  return is_srgb && channel < 3 ? srgb_table()[code] : exactly(code * kUnorm);
+Interval TextureFilter::Level::texel(int64_t x, int64_t y, uint32_t channel) const {
+  const uint64_t at = (wrapped(y, height) * width + wrapped(x, width)) * 4 + channel;
+  const auto least = std::to_integer<uint32_t>(low[at]), most = std::to_integer<uint32_t>(high[at]);
+  if (is_srgb && channel < 3) return hull(srgb_table()[least], srgb_table()[most]);
+  return {least * kUnorm, most * kUnorm};
 }
 
-AtlasFilter::Level AtlasFilter::level(uint32_t page, uint32_t wanted) const {
-  uint64_t offset = 0;
-  uint32_t width = texture_.width, height = texture_.height;
-  for (uint32_t l = 0; l < wanted; ++l) {
-    offset += uint64_t{width} * height * texture_.layers * 4;
-    width = std::max(width / 2, 1u), height = std::max(height / 2, 1u);
+TextureFilter::Level TextureFilter::level(uint32_t wanted, uint32_t n) const {
+  const uint32_t layer = std::min(wanted, texture_->layers - 1);
+  Level l = {nullptr, nullptr, width_of(*texture_, n), height_of(*texture_, n), is_srgb(texture_->format)};
+  if (block_side(texture_->format) == 1) {
+    l.low = l.high = texture_->bytes.data() + offset_of(*texture_, n, layer);
+    return l;
   }
-  offset += uint64_t{width} * height * std::min(page, texture_.layers - 1) * 4;
-  return {texture_.bytes.data() + offset, width, height, texture_.format == Format::rgba8_srgb};
+  const auto [it, is_new] = decoded_.try_emplace({layer, n});
+  if (is_new) it->second = decoded_level(*texture_, layer, n);
+  l.low = it->second.low.data(), l.high = it->second.high.data();
+  return l;
 }
 
-Intervals4 AtlasFilter::whole(const Level& l) const {
-  const auto [it, is_new] = whole_.try_emplace(l.texels);
+Intervals4 TextureFilter::whole(const Level& l) const {
+  const auto [it, is_new] = whole_.try_emplace(l.low);
   if (!is_new) return it->second;
   for (uint32_t c = 0; c < 4; ++c) {
     Interval r = kNothing;
@@ -124,7 +106,7 @@ Intervals4 AtlasFilter::whole(const Level& l) const {
   return it->second;
 }
 
-Intervals4 AtlasFilter::bilinear(const Level& l, Interval x, Interval y) const {
+Intervals4 TextureFilter::bilinear(const Level& l, Interval x, Interval y) const {
   if (!(x.high - x.low < kWidest) || !(y.high - y.low < kWidest)) return whole(l);
   Intervals4 all;
   all.fill(kNothing);
@@ -146,11 +128,9 @@ Intervals4 AtlasFilter::bilinear(const Level& l, Interval x, Interval y) const {
 }
 
 // Within a level, and from level to level, the answer is a mixture: extremes lie at the ends and at whole levels.
-Intervals4 AtlasFilter::sampled(uint32_t page, Interval u, Interval v, Interval detail) const {
-  if (texture_.format != Format::rgba8_unorm && texture_.format != Format::rgba8_srgb)
-    throw std::logic_error("an atlas of rgba8");
+Intervals4 TextureFilter::sampled(uint32_t layer, Interval u, Interval v, Interval detail) const {
   const auto of_level = [&](uint32_t n) {
-    const Level l = level(page, n);
+    const Level l = level(layer, n);
     return bilinear(l, in_texels(u, l.width, device_.sub_texel_bits), in_texels(v, l.height, device_.sub_texel_bits));
   };
   const auto first = static_cast<uint32_t>(std::floor(detail.low)),
@@ -168,11 +148,10 @@ Intervals4 AtlasFilter::sampled(uint32_t page, Interval u, Interval v, Interval 
     previous = here;
   }
   for (uint32_t c = 0; c < 4; ++c) {
-    const bool is_srgb = texture_.format == Format::rgba8_srgb && c < 3;
-    const double slack = is_srgb ? kSrgbFilter + kSrgbRelative * all[c].high : kUnormFilter;
+    const double slack = is_srgb(texture_->format) && c < 3 ? kSrgbFilter + kSrgbRelative * all[c].high : kUnormFilter;
     all[c] = bounded::rounded({all[c].low - slack, all[c].high + slack}, 1);
   }
   return all;
 }
 
-}  // namespace assay::decal_atlas_sampling
+}  // namespace assay

@@ -1,0 +1,4 @@
+#version 460
+// As gradient, from pages in blocks of 4x4.
+#define SAMPLE_BLOCKS
+#include "kernels/decal_atlas_sampling/walk.glsl"
