@@ -1,8 +1,16 @@
 #version 460
-// The decals of a cell as bits, word after word of all cells (Pettineo 2016). Words times their bits: 4096 turns at most,
-// and one a word.
+// The decals of a cell as bits, word after word of all cells (Pettineo 2016). Words times their bits: twice 4096
+// turns at most, and one a word.
 #include "kernels/decal_atlas_sampling/blend.glsl"
 READS(9, uint, decal_bits);
+
+uint next_bit(uint bits) {
+#ifdef MUTANT_17  // the highest bit first
+  return uint(findMSB(bits));
+#else
+  return uint(findLSB(bits));
+#endif
+}
 
 void main() {
   const uvec2 pixel = gl_GlobalInvocationID.xy;
@@ -16,13 +24,11 @@ void main() {
   for (uint w = 0u; w < words; ++w) {
     uint bits = decal_bits[w * all_cells + cell];
     while (bits != 0u) {
-#ifdef MUTANT_17  // the highest bit first
-      const int bit = findMSB(bits);
-#else
-      const int bit = findLSB(bits);
-#endif
+      while (bits != 0u && !holds(w * 32u + next_bit(bits), p)) bits &= ~(1u << next_bit(bits));
+      if (bits == 0u) break;
+      const uint bit = next_bit(bits);
       bits &= ~(1u << bit);
-      apply_decal(m, w * 32u + uint(bit), p);
+      apply_decal(m, w * 32u + bit, p);
     }
   }
   store_material(pixel, m);

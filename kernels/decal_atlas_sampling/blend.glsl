@@ -84,28 +84,44 @@ void blend_normal(inout Material m, DecalRecord d, vec3 t, vec3 b, vec3 o, vec3 
   m.touched.y = true;
 }
 
-void apply_decal(inout Material m, uint index, Point p) {
-  if (index >= params.decals) return;
-  DecalRecord d = decals[index];
-  if (d.receiver != kNoReceiver) {
-    if (d.receiver >= params.receivers) return;
-    const ReceiverRecord r = receivers[d.receiver];
+// Whether the decal's box holds the pixel: where in the box, and the point in the space that the box is in.
+bool is_held(uint index, inout Point p, out vec3 q) {
+  if (index >= params.decals) return false;
+  const uint receiver = decals[index].receiver;
+  if (receiver != kNoReceiver) {
+    if (receiver >= params.receivers) return false;
+    const ReceiverRecord r = receivers[receiver];
 #ifdef MUTANT_11  // the receiver turns, but does not move
     p.position = turned(r, p.position);
 #else
     p.position = turned(r, p.position) + vec3(r.row_x.w, r.row_y.w, r.row_z.w);
 #endif
     p.d_dx = turned(r, p.d_dx), p.d_dy = turned(r, p.d_dy);
+  }
+  const vec4 x = decals[index].row_x, y = decals[index].row_y, z = decals[index].row_z;
+  q = vec3(dot(x.xyz, p.position) + x.w, dot(y.xyz, p.position) + y.w, dot(z.xyz, p.position) + z.w);
+#ifdef MUTANT_12  // the box has no depth
+  return is_in_unit(q.x) && is_in_unit(q.y);
+#else
+  return is_in_unit(q.x) && is_in_unit(q.y) && is_in_unit(q.z);
+#endif
+}
+// For loops that pass over decals: a loop of its own that reads no more than the box, since what follows a branch that no
+// lane takes may be run all the same.
+bool holds(uint index, Point p) {
+  vec3 q;
+  return is_held(index, p, q);
+}
+
+void apply_decal(inout Material m, uint index, Point p) {
+  vec3 q;
+  if (!is_held(index, p, q)) return;
+  DecalRecord d = decals[index];
+  if (d.receiver != kNoReceiver) {
+    const ReceiverRecord r = receivers[d.receiver];
     d.tangent = turned_back(r, d.tangent), d.bitangent = turned_back(r, d.bitangent);
     d.outward = turned_back(r, d.outward);
   }
-  const vec3 q = vec3(dot(d.row_x.xyz, p.position) + d.row_x.w, dot(d.row_y.xyz, p.position) + d.row_y.w,
-                      dot(d.row_z.xyz, p.position) + d.row_z.w);
-#ifdef MUTANT_12  // the box has no depth
-  if (!is_in_unit(q.x) || !is_in_unit(q.y)) return;
-#else
-  if (!is_in_unit(q.x) || !is_in_unit(q.y) || !is_in_unit(q.z)) return;
-#endif
   const vec2 scale = d.scale_bias.xy;
   const Footprint f =
       Footprint(q.xy * scale + d.scale_bias.zw, usable(vec2(dot(d.row_x.xyz, p.d_dx), dot(d.row_y.xyz, p.d_dx)) * scale),

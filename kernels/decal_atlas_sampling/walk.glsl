@@ -1,4 +1,4 @@
-// A thread walks its own pixel's list: kMaxClusterEntries turns at most.
+// A thread walks its own pixel's list: twice kMaxClusterEntries turns at most.
 #include "kernels/decal_atlas_sampling/lists.glsl"
 
 void main() {
@@ -12,7 +12,10 @@ void main() {
 #ifdef MUTANT_15  // the last comes first
   for (uint i = l.end; i > l.at; --i) apply_decal(m, decal_of(entries[i - 1u]), p);
 #else
-  for (uint i = l.at; i < l.end; ++i) apply_decal(m, decal_of(entries[i]), p);
+  for (uint i = l.at; i < l.end; ++i) {
+    while (i < l.end && !holds(decal_of(entries[i]), p)) ++i;
+    if (i < l.end) apply_decal(m, decal_of(entries[i]), p);
+  }
 #endif
   store_material(pixel, m);
 }
