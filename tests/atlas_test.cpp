@@ -185,23 +185,33 @@ DecalRecord placed(const DecalAtlas& atlas, size_t i, const dvec3& at, const dve
   return d;
 }
 
-void set_atlas(Case& c, const DecalAtlas& atlas) {
-  decal_atlas_sampling::set_atlas(c, atlas.textures);
+// An atlas as it is and in blocks, made once for many cases.
+struct Pages {
+  explicit Pages(DecalAtlas a) : atlas(std::move(a)) {
+    Case c;
+    decal_atlas_sampling::set_atlas(c, atlas.textures);
+    textures = std::move(c.textures);
+  }
+  DecalAtlas atlas;
+  std::map<std::string, std::vector<Texture>> textures;
+};
+void set_atlas(Case& c, const Pages& pages) {
+  c.textures = pages.textures;
   auto p = c.params<decal_atlas_sampling::DecalParams>();
-  p.atlas_border = static_cast<float>(atlas.border);
+  p.atlas_border = static_cast<float>(pages.atlas.border);
   c.set_params(p);
 }
 
 // One decal at a time, from a texel over many pixels to the whole of it within one, level and at a slant.
-View loud_view(const DecalAtlas& atlas, size_t i, double half, bool on_floor) {
+View loud_view(const Pages& pages, size_t i, double half, bool on_floor) {
   View v({48, 48});
   if (on_floor)
     v.set_plane(0, 25, 48, 48, {0, -1.5, 0}, {0, 1, 0});
   else
     v.set_plane(0, 0, 48, 48, {0, 0, -8}, {0, 0, 1});
-  v.decals = {on_floor ? placed(atlas, i, {0.1, -1.5, -6}, {0, 1, 0}, 0.4, {half, half, 1})
-                       : placed(atlas, i, {0.3, 0.2, -8}, {0, 0, 1}, 0.4, {half, half, 1})};
-  v.last = [&atlas](Case& c) { set_atlas(c, atlas); };
+  v.decals = {on_floor ? placed(pages.atlas, i, {0.1, -1.5, -6}, {0, 1, 0}, 0.4, {half, half, 1})
+                       : placed(pages.atlas, i, {0.3, 0.2, -8}, {0, 0, 1}, 0.4, {half, half, 1})};
+  v.last = [&pages](Case& c) { set_atlas(c, pages); };
   return v;
 }
 
@@ -231,7 +241,7 @@ uint64_t expect_own_colour(const Case& c, const std::string& variant, Colour own
 // But through an anisotropic sampler, whose footprint nothing holds inside.
 TEST(Atlas, NothingBleedsThroughTheKernelAtAnyLevel) {
   const auto decals = loud_decals();
-  const DecalAtlas atlas = image::make_atlas(decals, 512, 5, 4);
+  const Pages pages(image::make_atlas(decals, 512, 5, 4));
   uint64_t seen = 0;
   for (const Variant& variant : kernel().variants) {
     if (variant.anisotropic || !device::missing(device::info(*device()), variant).empty()) continue;
@@ -239,7 +249,7 @@ TEST(Atlas, NothingBleedsThroughTheKernelAtAnyLevel) {
       for (const double half : {0.15, 0.4, 1.0, 3.0, 30.0})
         for (const bool on_floor : {false, true})
           seen +=
-              expect_own_colour(loud_view(atlas, i, half, on_floor).to_case(), variant.name, loud(i * 5 % 7 + i % 2));
+              expect_own_colour(loud_view(pages, i, half, on_floor).to_case(), variant.name, loud(i * 5 % 7 + i % 2));
   }
   EXPECT_GT(seen, 50000u);
 }
@@ -273,13 +283,14 @@ TEST(Atlas, RealDecalsOnAWallAreWhatTheOracleFinds) {
   std::vector<DecalPictures> decals;
   decals.reserve(5);
   for (int i = 0; i < 5; ++i) decals.push_back(load_decal(folder, i));
-  const DecalAtlas atlas = image::make_atlas(decals, 1024, 6, 4);
+  const Pages pages(image::make_atlas(decals, 1024, 6, 4));
   View v({320, 180});
   v.set_plane(0, 0, 320, 180, {0, 0, -8}, glm::normalize(dvec3(0.5, 0.2, 1)));
   for (size_t i = 0; i < 5; ++i)
-    v.decals.push_back(placed(atlas, i, {3.0 * static_cast<double>(i) - 6, 0.5, -8}, {0, 0, 1}, 0.2, {2, 2.5, 6}));
+    v.decals.push_back(
+        placed(pages.atlas, i, {3.0 * static_cast<double>(i) - 6, 0.5, -8}, {0, 0, 1}, 0.2, {2, 2.5, 6}));
   Case c = v.to_case();
-  set_atlas(c, atlas);
+  set_atlas(c, pages);
   const check::Prepared prepared = check::prepare(kernel(), c, device::info(*device()).traits);
   for (const Variant& variant : kernel().variants) {
     if (!device::missing(device::info(*device()), variant).empty()) continue;
