@@ -39,8 +39,10 @@ void decode_channel(std::span<const std::byte> half, uint32_t channel, DecodedBl
   const uint32_t first = bits.take(8), second = bits.take(8);
   for (size_t i = 0; i < 16; ++i) {
     const auto [numerator, denominator] = ramp(first, second, bits.take(3));
-    to.low[i][channel] = static_cast<uint8_t>(numerator / denominator);
-    to.high[i][channel] = static_cast<uint8_t>((numerator + denominator - 1) / denominator);
+    const uint32_t below = numerator / denominator, above = (numerator + denominator - 1) / denominator;
+    const bool is_between = denominator > 1;  // a sum of two products, each off by less than a code
+    to.low[i][channel] = static_cast<uint8_t>(is_between && below > 0 ? below - 1 : below);
+    to.high[i][channel] = static_cast<uint8_t>(is_between && above < 255 ? above + 1 : above);
   }
 }
 

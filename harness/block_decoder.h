@@ -7,9 +7,10 @@
 
 namespace assay {
 
-// The RGBA codes of 8 bits, rows of texels, between which a device's texels lie. BC7 is specified to the bit: one code.
-// BC4 and BC5 interpolate between two of their codes in 8 bits or more: the code below and the one above. Channels that
-// a format lacks are 0, alpha 255.
+// The RGBA codes of 8 bits between which a device's texels lie. BC7 is specified to the bit: one code. What BC4 and BC5
+// interpolate has a formula, but no precision (Giesen, "GPU BCn decoding", 2021, found a decoder a vendor): in 8 bits,
+// the least that there is, each of its two products is off by less than a code, so the sum by less than two. Channels
+// that a format lacks are 0, alpha 255.
 struct DecodedTexels {
   Bytes low, high;
 };

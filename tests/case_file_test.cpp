@@ -34,7 +34,13 @@ Case sample() {
   c.set_input("values", std::vector<uint32_t>{1, 0, 0, 0, 0xffffffffu, 7});
   c.set_input("depth", std::vector<uint16_t>{1, 2, 3, 4, 5, 6});
   c.textures["pictures"] = {
-      {.format = Format::r8_unorm, .width = 3, .height = 3, .layers = 1, .levels = 2, .bytes = Bytes(10)}};
+      {.format = Format::r8_unorm, .width = 3, .height = 3, .layers = 1, .levels = 2, .bytes = Bytes(10)},
+      {.format = Format::bc7_srgb,
+       .width = 5,
+       .height = 3,
+       .layers = 1,
+       .levels = 3,
+       .bytes = Bytes(64, std::byte{64})}};
   return c;
 }
 

@@ -2,9 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tests/lowered.h"
 #include "tests/planted/device_copy/layout.h"
+
+namespace assay::anisotropy_probe {
+Kernel describe();  // harness/device/probes
+}
 
 namespace assay::tests {
 namespace {
@@ -54,6 +59,28 @@ TEST(Device, ThatIsNotThereIsRefusedWithAList) {
     EXPECT_TRUE(contains(text, select)) << text;
     EXPECT_TRUE(contains(text, name)) << text;
   }
+}
+
+// The level of detail of a footprint 32 texels by 4: by the longer way 5, or up to half a level more; anisotropic 2,
+// where that works.
+float level_of_footprint(bool is_anisotropic) {
+  Kernel probe = anisotropy_probe::describe();
+  probe.variants[0].anisotropic = is_anisotropic;
+  const Ran r = run_variant(*device(), probe, "anisotropic", probe.typical({1, 1}));
+  return read<float>(*device(), r, "reds")[0] * 255 / 16;
+}
+TEST(Device, AnisotropyIsBelievedWhereItIsSeen) {
+  const float isotropic = level_of_footprint(false);
+  EXPECT_TRUE(isotropic > 4.5 && isotropic < 6) << isotropic;
+  float level = -1;
+  try {
+    level = level_of_footprint(true);
+  } catch (const std::logic_error& e) {  // it has no such sampler
+    EXPECT_TRUE(contains(e.what(), "no anisotropic sampler")) << e.what();
+  }
+  const bool is_believed = device::info(*device()).features.contains(Feature::sampler_anisotropy);
+  EXPECT_EQ(is_believed, std::abs(level - 2) <= 1) << level;
+  RecordProperty("anisotropic_level", std::to_string(level));
 }
 
 TEST(Device, IsNeverTakenInSilence) {

@@ -126,8 +126,7 @@ Texture texture_of(const Json& json, const Place& place) {
             .layers = size("layers", 2048),
             .levels = size("levels", 17),
             .bytes = bytes_of(json, place)};
-  if (t.bytes.size() != bytes_of(t))
-    place.fail(fmt::format("{} bytes, its size says {}", t.bytes.size(), bytes_of(t)));
+  if (t.bytes.size() != bytes_of(t)) place.fail(fmt::format("{} bytes, its size says {}", t.bytes.size(), bytes_of(t)));
   return t;
 }
 

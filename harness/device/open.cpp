@@ -160,6 +160,7 @@ Handle open(const Options& options) {
   Handle handle(device.get());
   if (handle->anisotropic_sampler && works_anisotropically(*handle))
     handle->physical.info.features.insert(Feature::sampler_anisotropy);
+  release_free_memory(*handle);  // what the trial took
   return handle;
 }
 
