@@ -170,9 +170,10 @@ std::vector<HardCase> depths() {
        }},
       {"close_depths_edge", "depths that differ by just 2^-6, by one place more, across a power of two",
        [] {
-         Pictured s = drawn({32, 16}, kRate2x1, [](uint x, uint) { return uvec2(x, 1); });
-         constexpr float kNear[] = {1, 1.5f, 1, 1.5f}, kFar[] = {0x3fp-6f, 1.4765625f, 0x1.f7fffep-1f, 1.4765624f};
-         for (size_t i = 0; i < s.depth.size(); ++i) s.depth[i] = (i % 2 ? kFar : kNear)[i / 2 % 4];
+         // Triangles of two columns, flat, so that a normal can be rebuilt; cells lie across their seams.
+         Pictured s = drawn({32, 16}, kRate2x1, [](uint x, uint) { return uvec2((x + 1) / 2, 1); });
+         constexpr float kDepths[] = {1, 0x3fp-6f, 1, 0x1.f7fffep-1f, 1.5f, 1.4765625f, 1.5f, 1.4765624f};
+         for (size_t i = 0; i < s.depth.size(); ++i) s.depth[i] = kDepths[(i % 32 + 1) / 2 % 8];
          return case_of(s);
        }},
   };
@@ -268,7 +269,7 @@ std::vector<Mutant> mutants() {
       {"stored_normal.glsl", 17, "the octahedron's lower half stays folded", "normals_folded"},
       {"rebuilt_normal.glsl", 18, "the order of the three turns the normal over", "one_plane"},
       {"rebuilt_normal.glsl", 19, "three in a line make a normal", "lines"},
-      {"list_args.comp", 20, "the list's last group, not full, is not dispatched", "one_pixel_of_sky"},
+      {"list_args.comp", 20, "the list's last group, not full, is not dispatched", "one_pixel_covered"},
   };
 }
 

@@ -1,0 +1,22 @@
+#version 460
+// A thread an entry of the screen's list.
+#include "harness/glsl/ports.glsl"
+READS(4, uint, list);
+READS(5, uint, list_count);
+#define VRCS_LIST list
+#define VRCS_LIST_COUNT list_count
+#include "kernels/vrcs_remap/visit.glsl"
+
+layout(local_size_x = kVrcsListGroup) in;
+
+void main() {
+#ifdef MUTANT_7  // one row of groups
+  const uint first = gl_WorkGroupID.x * kVrcsListGroup;
+#else
+  const uint first = spread_group() * kVrcsListGroup;
+#endif
+#ifdef MUTANT_8  // the last thread of a group has nothing to do
+  if (gl_LocalInvocationID.x + 1u == kVrcsListGroup) return;
+#endif
+  visit(vrcs_list_pixel(first + gl_LocalInvocationID.x), 0u);
+}

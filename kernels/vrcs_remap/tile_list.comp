@@ -1,0 +1,3 @@
+#version 460
+#include "harness/glsl/ports.glsl"
+#include "kernels/vrcs_remap/tile.glsl"
