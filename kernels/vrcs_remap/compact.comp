@@ -18,5 +18,8 @@ void main() {
 #ifdef MUTANT_8  // the last thread of a group has nothing to do
   if (gl_LocalInvocationID.x + 1u == kVrcsListGroup) return;
 #endif
-  visit(vrcs_list_pixel(first + gl_LocalInvocationID.x), 0u);
+  const VrcsPixel p = vrcs_list_pixel(first + gl_LocalInvocationID.x);
+  if (p.code == kVrcsNoWork) return;
+  count_wave(0u);
+  vrcs_postfix(p, place_of(p.at));
 }

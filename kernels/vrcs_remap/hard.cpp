@@ -116,6 +116,13 @@ std::vector<HardCase> hostile_lists() {
            for (size_t i = 0; i < words.size(); ++i) words[i] = 0x722 | static_cast<uint>(i % 2);
          });
        }},
+      {"copies_off_screen", "pixels in the last column and row, copied beyond",
+       [=] {
+         Case c = hostile(base(), "tiles", [](std::vector<uint>& words) { std::ranges::fill(words, 1); });
+         c = hostile(c, "entries", [](std::vector<uint>& words) { std::ranges::fill(words, 0x7ca); });
+         return hostile(c, "list",
+                        [](std::vector<uint>& words) { std::ranges::fill(words, 74 | 60 << 14 | 7u << 28); });
+       }},
       {"list_off_screen", "entries beyond either side, invalid ones, copies beyond the last column and row",
        [=] {
          return hostile(base(), "list", [](std::vector<uint>& words) {
@@ -148,17 +155,17 @@ std::vector<Mutant> mutants() {
   return {
       {"visit.glsl", 1, "a copy comes out as its own place", "all_2x2"},
       {"visit.glsl", 2, "stores are not counted", "pixels_listed_twice"},
-      {"visit.glsl", 3, "the depth of an entry is dropped", "entries_of_ones"},
-      {"visit.glsl", 4, "sky is shaded", "all_sky"},
-      {"visit.glsl", 5, "pixels without a surface are shaded where all are", "holes_where_all_are_shaded"},
-      {"tile.glsl", 6, "lanes of a subgroup are not side by side in the list", "short_lists"},
+      {"tile.glsl", 3, "lanes of a subgroup are not side by side in the list", "short_lists"},
+      {"tile.glsl", 4, "sky is shaded", "all_sky"},
+      {"tile.glsl", 5, "pixels without a surface are shaded where all are", "holes_where_all_are_shaded"},
+      {"tile.glsl", 6, "the depth of an entry is dropped", "entries_of_ones"},
       {"compact.comp", 7, "one row of groups", "rows_of_groups"},
       {"compact.comp", 8, "the last thread of a group has nothing to do", "cut_cells"},
       {"harness/glsl/vrcs.glsl", 9601, "lists are trusted", "entries_of_ones"},
       {"harness/glsl/vrcs.glsl", 9602, "the last list that saves a wave is not taken", "primaries_224"},
       {"harness/glsl/vrcs.glsl", 9603, "one lane too many", "short_lists"},
       {"harness/glsl/vrcs.glsl", 9604, "the upper left pixel in every frame", "all_2x2_odd_frame"},
-      {"harness/glsl/vrcs.glsl", 9605, "copies beyond the screen's last column and row", "list_off_screen"},
+      {"harness/glsl/vrcs.glsl", 9605, "copies beyond the screen's last column and row", "copies_off_screen"},
       {"harness/glsl/vrcs.glsl", 9606, "the diagonal is forgotten", "all_2x2"},
   };
 }

@@ -43,7 +43,7 @@ Kernel describe() {
       .source = "Fuller, Hammer 2025, Variable-Rate Compute Shaders: VRCSPrefix, VRCSPostFix, pixel commands",
       .default_variant = "tile_list",
       .params = layout_of<RemapParams>(),
-      .ports = {reads_image("visibility", Format::rg32_uint, {"visibility.visibility"}),
+      .ports = {of_tiles(reads_image("visibility", Format::rg32_uint, {"visibility.visibility"})),
                 of_tiles(reads<uint>("tiles", tiles, {"vrcs_coordinates.tiles"})),
                 of_tiles(reads<uint>("entries", entries, {"vrcs_coordinates.entries"})),
                 of_list(reads<uint>("list", pixels, {"vrcs_coordinates.list"})),

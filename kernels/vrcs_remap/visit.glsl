@@ -5,7 +5,6 @@
 #include "kernels/vrcs_remap/layout.h"
 #include "harness/glsl/tiles.glsl"
 
-layout(binding = 0) uniform utexture2D visibility;
 UPDATES(1, uint, values);
 UPDATES(2, uint, visits);
 UPDATES(3, uint, waves);
@@ -15,11 +14,14 @@ PARAMS(RemapParams);
 #define VRCS_FRAME params.frame
 #include "harness/glsl/vrcs.glsl"
 
+// From 1 on.
+uint place_of(uvec2 pixel) { return pixel.y * params.width + pixel.x + 1u; }
+
 // Of several stores to a pixel the largest value is kept: lists that name a pixel twice have one outcome.
 void vrcs_store(uvec2 pixel, uint result) {
-  const uint at = pixel.y * params.width + pixel.x;
+  const uint at = place_of(pixel) - 1u;
 #ifdef MUTANT_1  // a copy comes out as its own place
-  result = at + 1u;
+  result = place_of(pixel);
 #endif
 #ifdef MUTANT_2  // stores are not counted
   visits[at] = 1u;
@@ -29,29 +31,7 @@ void vrcs_store(uvec2 pixel, uint result) {
   atomicMax(values[at], result);
 }
 
-bool has_surface(uvec2 pixel) {
-  return texelFetch(visibility, ivec2(pixel), 0).xy != uvec2(kVisibilityNone);
-}
-
-// Place from 1 on, and the depth's code where there is one.
-uint value_of(VrcsPixel p) {
-  const uint place = p.at.y * params.width + p.at.x + 1u;
-#ifdef MUTANT_3  // depth is dropped
-  return place;
-#else
-  return place + p.depth * 2654435769u;
-#endif
-}
-
-void visit(VrcsPixel p, uint wave_counter) {
-#ifdef MUTANT_4  // sky is shaded
-  if (p.code == kVrcsNoWork) return;
-#else
-  if (p.code == kVrcsSky || p.code == kVrcsNoWork) return;
-#endif
-  if (subgroupElect()) atomicAdd(waves[wave_counter], 1u);
-#ifndef MUTANT_5  // where all are shaded, pixels without a surface are too
-  if (p.code == kVrcsAll && !has_surface(p.at)) return;
-#endif
-  vrcs_postfix(p, value_of(p));
+// By the lanes with work, and by one of each subgroup.
+void count_wave(uint counter) {
+  if (subgroupElect()) atomicAdd(waves[counter], 1u);
 }
