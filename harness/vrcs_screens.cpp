@@ -123,6 +123,13 @@ Pictured typical_screen(Extent e) {
   return s;
 }
 
+Pictured uneven_screen(Extent e, uint side) {
+  Pictured s = empty_screen(e);
+  add_mesh(s, {0, 0, e.width, e.height, side, 0, 1e-3, 0, 0.01 / e.height, 1e-4});
+  std::ranges::fill(s.rates, kRate2x2);
+  return s;
+}
+
 Pictured random_screen(Random& r, Extent e) {
   Pictured s = empty_screen(e);
   const auto any_of = [&](uint triangles) { return uvec2(r.rng.below(triangles), r.rng.below(2)); };

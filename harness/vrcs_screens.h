@@ -25,6 +25,8 @@ uint focal_of(Extent);  // pixels, of 90 degrees across
 // A floor, walls and hills of triangles of 4 to 40 pixels under a third of sky; rates by block of 8x8, two in five of
 // them 2x2.
 Pictured typical_screen(Extent);
+// One uneven surface everywhere, of triangles of side^2 / 2 pixels, at a rate of 2x2.
+Pictured uneven_screen(Extent, uint side);
 // Branches: kScreenBranches.
 Pictured random_screen(Random&, Extent);
 extern const std::vector<std::string> kScreenBranches;

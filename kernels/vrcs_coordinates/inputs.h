@@ -9,6 +9,7 @@ namespace assay::vrcs_coordinates {
 Inputs inputs();
 Case typical(Extent);
 std::vector<Mutant> mutants();
+ErrorTable figures_table();  // what each rule leaves to be shaded
 
 // For hard.cpp. Frame 0, no fog, a near plane of 0.1 and a far one of 1000 metres, a view of 90 degrees.
 Case case_of(const vrcs::Pictured&);
