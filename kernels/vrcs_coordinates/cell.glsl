@@ -1,7 +1,7 @@
 // A cell of 2x2 pixels: what its pixels show, which of them are shaded, and which copy those.
 // Pixels of a cell are numbered in rows, so that the numbers of two differ in bit 0 where they lie side by side, in bit
 // 1 one below the other, in both across the diagonal.
-// Loop turns of an invocation: at most 4 groups of 4 pixels.
+// Loop turns of an invocation: 4 pixels, 3 others of each.
 #include "harness/glsl/ports.glsl"
 #include "kernels/vrcs_coordinates/layout.h"
 #include "harness/glsl/tiles.glsl"
@@ -114,23 +114,35 @@ uint primary_of(uint members) {
 #endif
 }
 
-// primaries: a bit a pixel. texels: of copy_bits, of the covered pixels.
-void split(Cell cell, out uint primaries, out uint texels[4]) {
+// Of pixels in rows, those that `first` may share with and that come after it; a bit each.
+uint sharers(Cell cell, uint first, uint partners) {
+  uint joined = 0u;
+  for (uint i = first + 1u; i < 4u; ++i) {
+    const uint both = 1u << first | 1u << i;
+    if ((cell.covered & both) == both && (partners >> (first ^ i) & 1u) != 0u && shares(cell, first, i))
+      joined |= 1u << i;
+  }
+  return joined;
+}
+
+// primaries: a bit a pixel. texels: of copy_bits, a byte a pixel. Places in a cell are constants once the loops are
+// unrolled: no array is looked up by a number that is not known.
+void split(Cell cell, out uint primaries, out uint texels) {
   const uint partners = partners_at(rate_of(cell));
+  uint rest = cell.covered;
   primaries = 0u;
-  texels = uint[4](0u, 0u, 0u, 0u);
-  for (uint rest = cell.covered; rest != 0u;) {
-    const uint first = findLSB(rest);
-    uint members = 1u << first;
-    for (uint i = first + 1u; i < 4u; ++i)
-      if ((rest >> i & 1u) != 0u && (partners >> (first ^ i) & 1u) != 0u && shares(cell, first, i)) members |= 1u << i;
+  texels = 0u;
+  for (uint first = 0u; first < 4u; ++first) {
+    if ((rest >> first & 1u) == 0u) continue;
+    const uint members = 1u << first | (sharers(cell, first, partners) & rest);
     const uint primary = primary_of(members);
     primaries |= 1u << primary;
-    for (uint i = 0u; i < 4u; ++i) {
-      if ((members >> i & 1u) == 0u || i == primary) continue;
-      texels[i] = kCopyDuplicate;
-      texels[primary] |= 1u << (primary ^ i) - 1u;  // kCopyHorizontal, kCopyVertical, kCopyDiagonal
-    }
     rest &= ~members;
+    for (uint apart = 1u; apart < 4u; ++apart) {
+      const uint other = primary ^ apart;
+      if ((members >> other & 1u) == 0u) continue;
+      texels |= kCopyDuplicate << 8u * other;
+      texels |= 1u << apart - 1u << 8u * primary;  // kCopyHorizontal, kCopyVertical, kCopyDiagonal
+    }
   }
 }

@@ -62,7 +62,7 @@ uint depth_code(uint depth) { return 0u; }
 #endif
 
 // Of the tile's primaries, those of this cell, `at` the place of the first.
-void store_entries(uint tile, Cell cell, uint primaries, uint texels[4], uint at, uint count) {
+void store_entries(uint tile, Cell cell, uint primaries, uint texels, uint at, uint count) {
 #ifdef MUTANT_11  // a list that just saves a wave is not stored
   const bool stored = count < kVrcsTileEntries;
 #else
@@ -72,16 +72,17 @@ void store_entries(uint tile, Cell cell, uint primaries, uint texels[4], uint at
   for (uint i = 0u; i < 4u; ++i) {
     if ((primaries >> i & 1u) == 0u) continue;
     const uvec2 pixel = cell.first + offset_of(i), within = pixel % kVrcsTileSide;
+    const uint copies = texels >> 8u * i & kCopyBits;
 #ifdef COMPACT
 #ifdef MUTANT_12  // what no tile's list holds is in none
     if (stored)
 #endif
     list[first_of_list + at] =
-        pixel.x | pixel.y << kEntryCoordinateBits | texels[i] << kEntryCopyShift;
+        pixel.x | pixel.y << kEntryCoordinateBits | copies << kEntryCopyShift;
 #endif
     if (stored && !derived)
       entries[tile * kVrcsTileEntries + at] = within.x | within.y << kVrcsEntryYShift |
-          texels[i] << kVrcsEntryCopyShift | depth_code(cell.depth[i]) << kVrcsEntryDepthShift;
+          copies << kVrcsEntryCopyShift | depth_code(cell.depth[i]) << kVrcsEntryDepthShift;
     ++at;
   }
 }
@@ -95,7 +96,7 @@ void main() {
   barrier();
 
   const Cell cell = cell_at(first_pixel(tile) + uvec2(thread % 8u, thread / 8u) * kCellSide);
-  uint primaries, texels[4];
+  uint primaries, texels;
   split(cell, primaries, texels);
   const uint row = thread / 8u, shift = thread % 8u * 4u;
   atomicOr(primaries_of_row[row], primaries << shift);
@@ -103,7 +104,7 @@ void main() {
   atomicAdd(facts, bitCount(cell.covered) | uint(whole) << kWholeShift | uint(is_fogged(cell)) << kFogShift);
   for (uint i = 0u; i < 4u; ++i) {
     const uvec2 pixel = cell.first + offset_of(i);
-    if (on_screen(pixel, extent())) imageStore(copy_bits, ivec2(pixel), uvec4(texels[i]));
+    if (on_screen(pixel, extent())) imageStore(copy_bits, ivec2(pixel), uvec4(texels >> 8u * i & 0xffu));
   }
 #ifndef MUTANT_13  // the barrier dropped: what higher subgroups have yet to say is missing
   barrier();
