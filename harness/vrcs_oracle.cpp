@@ -113,7 +113,7 @@ Tile tile_at(const Screen& s, Pixel first_cell, std::vector<uint8_t>& copy_bits)
     for (const Group& g : groups) {
       counts.covered += g.size();
       for (const Pixel& p : g)
-        counts.fogged |= !s.view.depth.empty() && depth_of(s.view.depth[s.place(p)]) < s.view.fog_depth;
+        counts.fogged |= !s.view.depth.empty() && depth_of(s.view.depth[s.place(p)]) < depth_of(s.view.fog_depth);
       add_group(s, g, tile, copy_bits);
     }
     std::sort(tile.primaries.begin() + static_cast<std::ptrdiff_t>(begin), tile.primaries.end(),

@@ -21,12 +21,13 @@ struct Cell {
 uvec2 extent() { return uvec2(params.width, params.height); }
 uvec2 offset_of(uint pixel) { return uvec2(pixel & 1u, pixel >> 1u); }
 
-// Bits of floats that are not negative are in the order of the floats. What is no positive normal number is as far as
+// Bits of floats that are not negative are in the order of the floats. What is no positive normal number is 0: as far as
 // can be.
-uint depth_bits(uvec2 pixel) {
-  const uint bits = floatBitsToUint(texelFetch(depth, ivec2(pixel), 0).r);
+uint bits_of_depth(float d) {
+  const uint bits = floatBitsToUint(d);
   return bits >= 0x00800000u && bits < 0x7f800000u ? bits : 0u;
 }
+uint depth_bits(uvec2 pixel) { return bits_of_depth(texelFetch(depth, ivec2(pixel), 0).r); }
 
 Cell cell_at(uvec2 first) {
   Cell cell;

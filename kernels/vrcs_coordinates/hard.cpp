@@ -155,12 +155,20 @@ std::vector<HardCase> depths() {
          s.depth[s.place(20, 7)] = std::nextafter(0.01f, 0.0f);
          return with_params(case_of(s), [](VrcsParams& p) { p.fog_depth = 0.01f; });
        }},
+      {"fog_not_a_number", "no fog, though its bits are above all depths'",
+       [] {
+         return with_params(case_of(of_one({32, 16}, kRate2x2)), [](VrcsParams& p) { p.fog_depth = NAN; });
+       }},
+      {"fog_negative", "no fog, likewise",
+       [] {
+         return with_params(case_of(of_one({32, 16}, kRate2x2)), [](VrcsParams& p) { p.fog_depth = -1; });
+       }},
       {"odd_depths", "NaN, infinities, zero, negative and denormal: as far as can be, and close to none",
        [] {
          Pictured s = drawn({32, 16}, kRate2x2, [](uint x, uint) { return uvec2(x, 1); });
          constexpr float kOdd[] = {NAN, INFINITY, -INFINITY, 0, -0.0f, -0.5f, 1e-40f, 0x1p-126f, 3e38f};
          for (size_t i = 0; i < s.depth.size(); ++i) s.depth[i] = kOdd[i / 2 % 9];
-         return with_params(case_of(s), [](VrcsParams& p) { p.fog_depth = 0x1p-127f; });
+         return with_params(case_of(s), [](VrcsParams& p) { p.fog_depth = 0x1p-126f; });
        }},
       {"depth_range", "from beyond the near plane to beyond the far one",
        [] {

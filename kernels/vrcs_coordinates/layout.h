@@ -16,7 +16,7 @@ struct VrcsParams {
   uint height;
   uint frame;         // which pixel of a group is shaded rotates with it
   uint all_1x1;       // not 0: the rates are not looked at; the first frame, a cut, another resolution
-  float fog_depth;    // reversed; a covered pixel of a smaller depth is fogged. 0: there is no fog
+  float fog_depth;    // reversed; a covered pixel of a smaller depth is fogged. No positive normal number: no fog
   float near_plane;   // of depth_entries, metres, above 0
   float depth_scale;  // of depth_entries: codes a metre beyond the near plane
   // Normals are close where the squared sine of their angle is at most 2^-n, and it is below 90 degrees; n is held to

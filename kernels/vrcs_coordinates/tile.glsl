@@ -25,9 +25,9 @@ bool is_fogged(Cell cell) {
   bool fogged = false;
   for (uint i = 0u; i < 4u; ++i)
 #ifdef MUTANT_8  // the depth where fog begins is fogged
-    if ((cell.covered >> i & 1u) != 0u && cell.depth[i] <= floatBitsToUint(params.fog_depth)) fogged = true;
+    if ((cell.covered >> i & 1u) != 0u && cell.depth[i] <= bits_of_depth(params.fog_depth)) fogged = true;
 #else
-    if ((cell.covered >> i & 1u) != 0u && cell.depth[i] < floatBitsToUint(params.fog_depth)) fogged = true;
+    if ((cell.covered >> i & 1u) != 0u && cell.depth[i] < bits_of_depth(params.fog_depth)) fogged = true;
 #endif
   return fogged;
 }

@@ -1,5 +1,6 @@
 #version 460
-// A thread an entry of the screen's list.
+// A thread an entry of the screen's list, numbered by subgroup. (Mesa 22.3 would reuse a shader of another width from its
+// cache if nothing in it named the width.)
 #include "harness/glsl/ports.glsl"
 READS(4, uint, list);
 READS(5, uint, list_count);
@@ -15,10 +16,11 @@ void main() {
 #else
   const uint first = spread_group() * kVrcsListGroup;
 #endif
+  const uint lane = gl_SubgroupID * gl_SubgroupSize + gl_SubgroupInvocationID;
 #ifdef MUTANT_8  // the last thread of a group has nothing to do
-  if (gl_LocalInvocationID.x + 1u == kVrcsListGroup) return;
+  if (lane + 1u == kVrcsListGroup) return;
 #endif
-  const VrcsPixel p = vrcs_list_pixel(first + gl_LocalInvocationID.x);
+  const VrcsPixel p = vrcs_list_pixel(first + lane);
   if (p.code == kVrcsNoWork) return;
   count_wave(0u);
   vrcs_postfix(p, place_of(p.at));
