@@ -30,7 +30,7 @@ Variant variant(const std::string& name, Dispatch visit, const std::string& note
 }
 
 Cost cost(const Case& c) {
-  return {.bytes_read = pixels(c) * (sizeof(uvec2) + 2 * sizeof(uint)) + (2 * tiles(c) + entries(c)) * sizeof(uint),
+  return {.bytes_read = pixels(c) * sizeof(uvec2) + (tiles(c) + entries(c)) * sizeof(uint),
           .bytes_written = (2 * pixels(c) + tiles(c)) * sizeof(uint),
           .operations = pixels(c) * 4};  // a place, which is two, a comparison and a count
 }
