@@ -106,9 +106,11 @@ std::vector<HardCase> covers() {
          return case_of(drawn({32, 32}, kRate2x2,
                               [](uint x, uint y) { return x % 2 && y % 2 ? uvec2(1, 1) : uvec2(kVisibilityNone); }));
        }},
-      {"surfaces_apart", "the same triangle of two surfaces",
+      {"surfaces_apart", "the same triangle of two surfaces, one far behind the other",
        [] {
-         return case_of(drawn({32, 32}, kRate2x2, [](uint x, uint) { return uvec2(5, x % 2); }));
+         Pictured s = drawn({32, 32}, kRate2x2, [](uint x, uint) { return uvec2(5, x % 2); });
+         for (size_t n = 0; n < s.depth.size(); ++n) s.depth[n] = n % 2 ? 0.1f : 0.01f;
+         return case_of(s);
        }},
       {"triangle_all_ones", "a triangle, or a surface, of all ones is a surface yet",
        [] {
@@ -190,11 +192,15 @@ std::vector<HardCase> depths() {
 std::vector<HardCase> rules() {
   const auto own_columns = [](uint x, uint) { return uvec2(x, 1); };
   return {
-      {"normals_opposed", "back to back the sine is 0",
-       [=] {
-         Pictured s = drawn({32, 16}, kRate2x1, own_columns);
-         for (size_t i = 0; i < s.face_normals.size(); ++i) s.face_normals[i] = i % 2 ? 0x7fff7fffu : 0;  // -z and +z
-         return case_of(s);
+      {"normals_opposed",
+       "stored back to back, where the sine is 0; rebuilt at an obtuse angle, folds two columns wide",
+       [] {
+         Pictured s = drawn({32, 16}, kRate2x1, [](uint x, uint) { return uvec2((x + 1) / 2, 1); });
+         for (size_t n = 0; n < s.depth.size(); ++n) {
+           s.face_normals[n] = (n % 32 + 1) / 2 % 2 ? 0x7fff7fffu : 0;  // -z and +z
+           s.depth[n] = (n % 32 + 2) / 2 % 2 ? 0.011f : 0.01f;
+         }
+         return with_params(case_of(s), [](VrcsParams& p) { p.close_normals_log2 = 0; });
        }},
       {"normals_folded", "corners of the octahedron's square are one direction; so are the two lowest codes",
        [=] {

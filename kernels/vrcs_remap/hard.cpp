@@ -107,11 +107,15 @@ std::vector<HardCase> hostile_lists() {
       {"entries_of_ones", "pixels off the screen, copied everywhere",
        [=] {
          Case c = hostile(base(), "tiles", [](std::vector<uint>& words) { std::ranges::fill(words, 100); });
+         c = hostile(c, "list", [](std::vector<uint>& words) { std::ranges::fill(words, 0x7fffffffu); });
          return hostile(c, "entries", [](std::vector<uint>& words) { std::ranges::fill(words, 0xffffffffu); });
        }},
       {"pixels_listed_twice", "each entry one pixel of two",
        [=] {
          Case c = hostile(base(), "tiles", [](std::vector<uint>& words) { std::ranges::fill(words, 100); });
+         c = hostile(c, "list", [](std::vector<uint>& words) {
+           for (size_t n = 0; n < words.size(); ++n) words[n] = (34 + static_cast<uint>(n % 2)) | 18 << 14;
+         });
          return hostile(c, "entries", [](std::vector<uint>& words) {
            for (size_t i = 0; i < words.size(); ++i) words[i] = 0x722 | static_cast<uint>(i % 2);
          });
