@@ -7,6 +7,8 @@ namespace assay::vrcs_coordinates {
 
 namespace {
 
+constexpr Extent kView = {640, 352};  // whole tiles
+
 // Waves: all eight where no list is taken.
 std::vector<Figure> figures(const Variant&, const Case& c, const std::map<std::string, Bytes>& written) {
   const Bytes& bytes = written.at("tiles");
@@ -33,7 +35,6 @@ Case named(Case c, const std::string& name) {
 }  // namespace
 
 ErrorTable figures_table() {
-  constexpr Extent kView = {640, 352};  // whole tiles
   ErrorTable t = {.classes = {}, .figures = figures};
   for (const uint side : {2u, 4u, 8u, 16u, 32u}) {
     const std::string name = "2x2, triangles of half " + std::to_string(side) + " px squared";
