@@ -1,0 +1,2 @@
+#version 460
+#include "kernels/vrcs_coordinates/tile.glsl"

@@ -1,0 +1,6 @@
+#version 460
+#define VRCS_SHADE_FOG
+#include "harness/glsl/ports.glsl"
+READS(4, uint, tiles);
+READS(5, uint, entries);
+#include "kernels/vrcs_remap/tile.glsl"
