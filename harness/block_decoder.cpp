@@ -100,8 +100,8 @@ DecodedTexels decoded_level(const Texture& t, uint32_t layer, uint32_t level) {
   for (uint32_t y = 0; y < height; y += 4)
     for (uint32_t x = 0; x < width; x += 4, next += block) {
       const DecodedBlock d = decoded_block(t.format, {next, block});
-      for (uint32_t j = 0; j < std::min(4u, height - y); ++j) {
-        const size_t at = 4 * (size_t{y + j} * width + x), bytes = size_t{4} * std::min(4u, width - x);
+      for (size_t j = 0; j < std::min(4u, height - y); ++j) {
+        const size_t at = 4 * ((y + j) * width + x), bytes = size_t{4} * std::min(4u, width - x);
         std::memcpy(&all.low[at], &d.low[4 * j], bytes);
         std::memcpy(&all.high[at], &d.high[4 * j], bytes);
       }
