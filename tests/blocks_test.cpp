@@ -54,7 +54,8 @@ void expect_texel(const Texture& t, const DecodedTexels& d, size_t i, const glm:
     double low = std::to_integer<int>(d.low[at]) / 255.0, high = std::to_integer<int>(d.high[at]) / 255.0;
     if (is_srgb(t.format) && channel < 3) {  // half a code, as the oracles allow of any sRGB texel
       low = linear_of(std::max(low - 0.5 / 255, 0.0)), high = linear_of(std::min(high + 0.5 / 255, 1.0));
-      ASSERT_TRUE(got[channel] >= low && got[channel] <= high) << "texel " << i << ", channel " << channel;
+      ASSERT_TRUE(got[channel] >= low && got[channel] <= high)
+          << "texel " << i << ", channel " << channel << ": " << got[channel] << " for " << low << " to " << high;
       continue;
     }
     const double rounding = 3 * kUnitRoundoff;  // of the code over 255
