@@ -37,14 +37,10 @@ uvec2 deblocked(ivec2 pixel, uint kind, uvec2 copy) {
   if (!is_finite(copy)) return copy;
   vec3 sum = vec3(0.0);
   float pairs = 0.0;
-  if (kind == kCopyHorizontal) add_pair(pixel, ivec2(1, 0), sum, pairs);
-  if (kind == kCopyVertical) add_pair(pixel, ivec2(0, 1), sum, pairs);
-  if (kind == kCopyDiagonal) {
-    add_pair(pixel, ivec2(1, 1), sum, pairs);
+  add_pair(pixel, ivec2(kind != kCopyVertical, kind != kCopyHorizontal), sum, pairs);
 #ifndef MUTANT_11  // one diagonal of the two
-    add_pair(pixel, ivec2(1, -1), sum, pairs);
+  if (kind == kCopyDiagonal) add_pair(pixel, ivec2(1, -1), sum, pairs);
 #endif
-  }
   return pairs == 0.0 ? copy : with_colour(copy, sum * (pairs == 1.0 ? 0.5 : 0.25));
 }
 

@@ -38,7 +38,7 @@ inline Picture at_rate(Picture p, uint rate, uint frame = 0) {
 Case case_of(const Picture&);
 Case case_of(const Picture&, const Lists&);
 
-Case typical(Extent);  // shaded at 0.55 of its pixels
+Case typical(Extent);  // a fifth of sky, triangles of 24 pixels, a rate a tile
 Inputs inputs();
 std::vector<HardCase> hard_cases();  // hard.cpp
 std::vector<Mutant> mutants();
