@@ -42,4 +42,12 @@ inline uint16_t half_bits(double value) {
   return static_cast<uint16_t>(sign | (static_cast<uint32_t>(exponent) * 1024 + steps));
 }
 
+// The nearest finite half, of two as near the even one; NaN and infinities as they are.
+inline uint16_t nearest_half(double v) {
+  if (!std::isfinite(v)) return half_bits(v);
+  const double low = half_at_most(v), high = half_at_least(v), below = v - low, above = high - v;
+  const bool even_low = half_bits(low) % 2 == 0;
+  return half_bits(below < above || (below == above && even_low) ? low : high);
+}
+
 }  // namespace assay

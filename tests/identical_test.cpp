@@ -107,7 +107,7 @@ TEST(Identical, TheSumHasTheBitsOfItsOrder) {
     for (const char* variant : {"two_level", "subgroup_tree"}) {
       if (!device::missing(device::info(*device()), variant_of(k, variant)).empty()) continue;
       const Ran r = run_variant(*device(), k, variant, c);
-      EXPECT_EQ(read<resolve::ExposureRecord>(*device(), r, "exposure")[0].sum, sum_in_order(c)) << variant << seed;
+      EXPECT_EQ(read<ExposureRecord>(*device(), r, "exposure")[0].sum, sum_in_order(c)) << variant << seed;
     }
   }
   EXPECT_GE(summed, 10u);

@@ -6,7 +6,7 @@
 
 #include "harness/crop.h"
 #include "harness/half.h"
-#include "kernels/resolve/curve.h"
+#include "harness/tone_curve.h"
 #include "kernels/resolve/layout.h"
 
 namespace assay::resolve {
@@ -14,10 +14,6 @@ namespace {
 
 using Texel = std::array<uint16_t, 4>;
 
-uint16_t nearest_half(double v) {
-  const double low = half_at_most(v), high = half_at_least(v);
-  return half_bits(v - low <= high - v ? low : high);
-}
 Texel texel(double red, double green, double blue, double alpha = 1) {
   return {nearest_half(red), nearest_half(green), nearest_half(blue), nearest_half(alpha)};
 }

@@ -43,8 +43,8 @@ std::vector<Mutant> mutants() {
           {"tone.comp", 11, "> for >= at a threshold", "at_the_thresholds"},
           {"tone.comp", 12, "neighbouring thresholds swapped", "every_half"},
           {"tone.comp", 13, "red and blue swapped", "channels_apart"},
-          {"tone_bucketed.comp", 14, "a bucket's first code for all of it", "every_half"},
-          {"tone_bucketed.comp", 15, "what is past the last bucket is black", "blinding_manual"}};
+          {"harness/glsl/tone_curve.glsl", 9701, "a bucket's first code for all of it", "every_half"},
+          {"harness/glsl/tone_curve.glsl", 9702, "what is past the last bucket is black", "blinding_manual"}};
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #ifndef RESOLVE_LAYOUT_H
 #define RESOLVE_LAYOUT_H
+#include "harness/formats/exposure.h"
 #include "harness/shared.h"
 SHARED_BEGIN(resolve)
 
@@ -22,13 +23,6 @@ struct PartialSum {
   uint counted;
 };
 
-struct ExposureRecord {
-  float sum;
-  uint counted;    // pixels with a surface whose radiance is finite
-  float mean;      // luminance, whichever mean it is; with manual exposure all three are 0
-  float exposure;  // what radiance is multiplied by
-};
-
 // Weights of Rec. 709, whose primaries sRGB has.
 SHARED_CONST float kLuminanceRed = 0.2126f;
 SHARED_CONST float kLuminanceGreen = 0.7152f;
@@ -42,17 +36,10 @@ SHARED_CONST float kLeastLuminance = 3.0517578125e-5f;  // 2^-15: for its logari
 SHARED_CONST uint kThreadPixels = 8u;   // a side, in threads of the sums
 SHARED_CONST uint kBlockPixels = 128u;  // a side, in groups of 16x16 threads
 SHARED_CONST uint kSmallBlock = 16u;    // a side, in groups of sequential_groups
-SHARED_CONST uint kCodes = 256u;
-
-// Buckets of exposed radiance by a float's leading bits: 64 an octave from 2^-11 to 2^3, where all thresholds lie.
-SHARED_CONST uint kBucketShift = 17u;
-SHARED_CONST uint kFirstBucket = 0x3a000000u >> 17;  // 2^-11
-SHARED_CONST uint kBuckets = 896u;
 
 #ifdef __cplusplus
 SHARED_LAYOUT(ResolveParams, width, height, metering, manual_exposure, compensation);
 SHARED_LAYOUT(PartialSum, sum, counted);
-SHARED_LAYOUT(ExposureRecord, sum, counted, mean, exposure);
 #endif
 SHARED_END
 #endif

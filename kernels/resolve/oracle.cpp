@@ -6,6 +6,7 @@
 
 #include "harness/bounded.h"
 #include "harness/half.h"
+#include "harness/tone_curve.h"
 #include "kernels/resolve/layout.h"
 
 namespace assay::resolve {
@@ -113,16 +114,6 @@ Expected expected_exposure(const Found& f) {
                .low;
   e.first = {0, 1};
   return e;
-}
-
-// Narkowicz 2015, then IEC 61966-2-1, then the nearest code.
-uint32_t code_of(double radiance, float exposure) {
-  const double x = static_cast<float>(radiance * double{exposure});  // the one rounding of the shader
-  if (!(x > 0)) return 0;
-  if (x > 1e9) return 255;
-  const double curve = std::min(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 1.0);
-  const double encoded = curve <= 0.0031308 ? 12.92 * curve : 1.055 * std::pow(curve, 1 / 2.4) - 0.055;
-  return static_cast<uint32_t>(std::floor(255 * encoded + 0.5));
 }
 
 glm::uvec4 codes_of(const Texel& t, float exposure) {

@@ -1,6 +1,5 @@
 #version 460
-// As tone.comp, without its search: the leading bits of the exposed radiance name a bucket, a table says the code at the
-// bucket's start, and the thresholds from there on are compared with, mostly one. Two loads a channel for eight.
+// As tone.comp, with two loads a channel for the eight of its search.
 #include "harness/glsl/ports.glsl"
 #include "kernels/resolve/layout.h"
 
@@ -12,22 +11,9 @@ WRITES(3, uint, image);
 READS(4, uint, first_codes);
 PARAMS(ResolveParams);
 
-// At most 255 turns, for any ascending table.
-uint code_of(float exposed) {
-  if (!(exposed > 0.0)) return 0u;
-  const uint leading = floatBitsToUint(exposed) >> kBucketShift;
-  if (leading < kFirstBucket) return 0u;
-#ifdef MUTANT_15  // what is past the last bucket is black
-  if (leading >= kFirstBucket + kBuckets) return 0u;
-#else
-  if (leading >= kFirstBucket + kBuckets) return kCodes - 1u;
-#endif
-  uint code = first_codes[leading - kFirstBucket];
-#ifndef MUTANT_14  // a bucket's first code for all of it
-  while (code + 1u < kCodes && exposed >= thresholds[code + 1u]) ++code;
-#endif
-  return code;
-}
+#define TONE_THRESHOLDS thresholds
+#define TONE_FIRST_CODES first_codes
+#include "harness/glsl/tone_curve.glsl"
 
 void main() {
   const uvec2 pixel = gl_GlobalInvocationID.xy;
