@@ -162,7 +162,7 @@ void spoil(Pcg32& rng, Lists& lists) {
 }
 
 Case random_case(Random& r) {
-  Picture p = blank(random_extent(r, kVrcsTileSide));
+  Picture p = blank(random_extent(r, 2 * kVrcsTileSide));
   p.frame = r.rng.next();
   p.exposure = static_cast<float>(std::exp2(r.rng.range(-6, 6)));
   if (r.branch({{"one_triangle", 0.5}, {"triangles", 0.5}}) == 1) set_triangles(p, 3 + r.rng.below(30));
