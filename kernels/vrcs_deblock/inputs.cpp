@@ -169,7 +169,7 @@ Case random_case(Random& r) {
   set_content(r, p);
   switch (r.branch({{"rates_uniform", 0.3}, {"rates_blocks", 0.4}, {"rates_cells", 0.3}})) {
     case 0:
-      p = at_rate(std::move(p), kRates[r.rng.below(4)], p.frame);
+      p.rates.assign(p.rates.size(), kRates[r.rng.below(4)]);
       break;
     case 1:
       set_rates(p, r.rng, 2 + r.rng.below(9), {std::begin(kRates), std::end(kRates)});
