@@ -162,14 +162,14 @@ void spoil(Pcg32& rng, Lists& lists) {
 }
 
 Case random_case(Random& r) {
-  Picture p = blank(random_extent(r, kVrcsTileSide));
+  Picture p = blank(random_extent(r, 2 * kVrcsTileSide));
   p.frame = r.rng.next();
   p.exposure = static_cast<float>(std::exp2(r.rng.range(-6, 6)));
   if (r.branch({{"one_triangle", 0.5}, {"triangles", 0.5}}) == 1) set_triangles(p, 3 + r.rng.below(30));
   set_content(r, p);
   switch (r.branch({{"rates_uniform", 0.3}, {"rates_blocks", 0.4}, {"rates_cells", 0.3}})) {
     case 0:
-      p = at_rate(std::move(p), kRates[r.rng.below(4)], p.frame);
+      p.rates.assign(p.rates.size(), kRates[r.rng.below(4)]);
       break;
     case 1:
       set_rates(p, r.rng, 2 + r.rng.below(9), {std::begin(kRates), std::end(kRates)});

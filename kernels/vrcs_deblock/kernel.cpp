@@ -53,7 +53,8 @@ Variant variant(const std::string& name, const std::string& of, const std::strin
 
 // Each port of the default once.
 Cost cost(const Case& c) {
-  return {.bytes_read = pixels(c) * 8 + (tiles(c) + entries(c)) * 4 + sizeof(ExposureRecord) + (kCodes + kBuckets) * 4,
+  return {.bytes_read =
+              pixels(c) * 8 + (tiles(c) + entries(c)) * 4 + sizeof(ExposureRecord) + uint64_t{kCodes + kBuckets} * 4,
           .bytes_written = pixels(c) * (8 + 2),
           .operations = pixels(c) * 60};
 }

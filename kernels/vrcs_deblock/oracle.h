@@ -1,5 +1,7 @@
 // What the deblocker makes of a picture. Host only.
 #pragma once
+#include <array>
+
 #include "harness/kernel.h"
 #include "kernels/vrcs_deblock/layout.h"
 
