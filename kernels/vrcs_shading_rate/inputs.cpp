@@ -226,10 +226,38 @@ std::vector<HardCase> pictures() {
       of_picture("one_column", "nor a column across", {1, 37}, [](double, double y) { return y / 40; }),
       of_picture("mirrored", "slopes that end at the sides: beyond them is what lies before", {40, 40},
                  [](double x, double y) { return (std::min(x, 39 - x) + std::min(y, 39 - y)) * 6 / 255; }),
+      of_picture(
+          "slopes", "of 2 and of 12 codes a pixel, 20 pixels long: all error is the slope's, just within 2x2's doubled",
+          {120, 16},
+          [](double x, double) {
+            const int block = static_cast<int>(x) / 20, in = static_cast<int>(x) % 20;
+            return (5 + in * (block & 1 ? 12 : 2)) / 255.0;
+          },
+          0.00804f),
       of_picture("odd_extent", "the last column and row are half a cell", {61, 35}, patchwork),
       of_picture("odd_and_a_tile", "one pixel beyond a tile", {65, 49}, patchwork),
       of_picture("whole_groups", "no pixel beyond the sides", {64, 48}, patchwork),
   };
+}
+
+// Noise across, down and both ways whose strength grows from tile to tile: some tile is at whatever threshold there is.
+HardCase sweep(const char* name, const char* why, const std::function<void(RateParams&)>& change) {
+  return {name, why, [=] {
+            const Extent e{197, 131};
+            RateParams p = usual(e);
+            change(p);
+            return case_of(
+                e,
+                painted(e,
+                        [](double x, double y) {
+                          const int64_t column = static_cast<int64_t>(x) / 8, row = static_cast<int64_t>(y) / 8;
+                          const double strength = 0.3 * noise(column + 7000, row), kind = noise(column, row + 9000);
+                          const int64_t u = kind < 0.3 ? 0 : static_cast<int64_t>(x),
+                                        v = kind > 0.7 ? 0 : static_cast<int64_t>(y);
+                          return 0.4 + strength * strength * 3 * (noise(u, v) - 0.5);
+                        }),
+                p);
+          }};
 }
 
 std::vector<HardCase> settings() {
@@ -244,6 +272,10 @@ std::vector<HardCase> settings() {
       of_params("safe_border", "coarser at the sides", [](RateParams& p) { p.border = 20, p.border_gain = 3; }),
       of_params("border_over_all", "a border wider than the picture",
                 [](RateParams& p) { p.border = 5000, p.border_gain = 2; }),
+      sweep("sweep", "errors of every size, at the sides too", [](RateParams&) {}),
+      sweep("sweep_moving", "and with motion", [](RateParams& p) { p.half_weight = 0.2f, p.quarter_weight = 0.3f; }),
+      sweep("sweep_extra_half", "and a second threshold",
+            [](RateParams& p) { p.tolerance = 0.06f, p.extra_half = 0.2f; }),
       of_params("tolerance_none", "what has no error at all", [](RateParams& p) { p.tolerance = 0; }),
       of_params("tolerance_all", "anything passes", [](RateParams& p) { p.tolerance = 1e30f; }),
       of_params("tolerance_nan", "nothing passes", [](RateParams& p) { p.tolerance = NAN; }),
@@ -282,13 +314,13 @@ Inputs inputs() {
 }
 
 std::vector<Mutant> mutants() {
-  return {{"common.glsl", 1, "beyond the sides the outermost pixel goes on", "mirrored"},
-          {"common.glsl", 2, "differences of even pixels alone", "step_on_a_tile"},
-          {"common.glsl", 3, "pixels beyond the sides count", "odd_extent"},
+  return {{"common.glsl", 1, "beyond the sides the outermost pixel goes on", "sweep"},
+          {"common.glsl", 2, "differences of even pixels alone", "slopes"},
+          {"common.glsl", 3, "pixels beyond the sides count", "sweep"},
           {"common.glsl", 4, "the border is the middle", "safe_border"},
-          {"common.glsl", 5, "motion is forgotten", "motion"},
-          {"common.glsl", 6, "1x1 is allowed where 2x2 is not quite good enough", "extra_half"},
-          {"common.glsl", 7, "the barrier before a tile's sums is dropped", "odd_extent"},
+          {"common.glsl", 5, "motion is forgotten", "sweep_moving"},
+          {"common.glsl", 6, "1x1 is allowed where 2x2 is not quite good enough", "sweep_extra_half"},
+          {"common.glsl", 7, "the barrier before a tile's sums is dropped", "sweep"},
           {"common.glsl", 8, "blended surfaces refine", "blended_coarser"}};
 }
 
