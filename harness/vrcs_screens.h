@@ -1,5 +1,7 @@
 // Screens for the kernels of variable-rate compute shading: what covers each pixel, and the rates. Host only.
 #pragma once
+#include <algorithm>
+
 #include "harness/oracle.h"
 #include "harness/vrcs_oracle.h"
 
@@ -20,6 +22,20 @@ struct Pictured {  // owns what a View looks at; pixels and cells in rows
   View view(uint frame) const { return {extent, visibility, rates, depth, frame}; }
 };
 Pictured empty_screen(Extent);
+// One rate; seen(x, y): a pixel's visibility, or kVisibilityNone.
+template <class F>
+Pictured drawn(Extent e, uint8_t rate, F seen) {
+  Pictured s = empty_screen(e);
+  std::ranges::fill(s.rates, rate);
+  for (uint y = 0; y < e.height; ++y)
+    for (uint x = 0; x < e.width; ++x)
+      if (const uvec2 v = seen(x, y); v != uvec2(kVisibilityNone)) s.cover(x, y, v);
+  return s;
+}
+// A triangle over all of it.
+inline Pictured of_one(Extent e, uint8_t rate) {
+  return drawn(e, rate, [](uint, uint) { return uvec2(7, 3); });
+}
 uint focal_of(Extent);  // pixels, of 90 degrees across
 
 // A floor, walls and hills of triangles of 4 to 40 pixels under a third of sky; rates by block of 8x8, two in five of

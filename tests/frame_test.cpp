@@ -5,18 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
-#include "harness/formats/cluster_lists.h"
 #include "harness/formats/debug_view.h"
 #include "harness/formats/visibility.h"
 #include "harness/formats/workloads.h"
 #include "harness/frame/graph.h"
 #include "harness/frame/resources.h"
-#include "tests/run.h"
+#include "tests/drawn.h"
 
 namespace assay::tests {
 namespace {
@@ -24,16 +22,6 @@ namespace {
 using frame::Options;
 using frame::Result;
 
-template <class T>
-std::vector<T> words(const Bytes& bytes) {
-  std::vector<T> v(bytes.size() / sizeof(T));
-  if (!v.empty()) std::memcpy(v.data(), bytes.data(), v.size() * sizeof(T));
-  return v;
-}
-
-Result draw(const scene::Scene& s, const Options& o) {
-  return frame::render(*device(), s, scene::default_camera(s), o);
-}
 Result draw_at(const scene::Scene& s, Extent size, const std::string& view = "material") {
   return draw(s, {.size = size, .view = view, .warm_up = false});
 }
@@ -361,70 +349,6 @@ TEST(Frame, ExplanationsAreTextAndJson) {
   const auto json = frame::to_json(e);
   EXPECT_EQ(json["bytes"], frame::total_bytes(e));
   EXPECT_EQ(json["passes"].size(), e.passes.size());
-}
-
-// ---- Clusters
-// -----------------------------------------------------------------------------------
-
-// What lights light and decals cover they do so through their cells: the picture of all of them by brute force, bit for
-// bit, as long as no list was full.
-void expect_same_light(const scene::Scene& s, Extent size) {
-  const std::string radiance = "deferred_lighting.radiance", status = "cluster_lists.list_status";
-  Options o = {.size = size, .clusters = "none", .goals = {radiance}, .warm_up = false};
-  const Result all = draw(s, o);
-  EXPECT_FALSE(all.downloads.contains(status)) << "nobody needs lists of cells";
-  for (const std::string clusters : {"coarse", "fine"})
-    for (const std::string variant : {"clustered", "clustered_scalarised"}) {
-      o.clusters = clusters, o.variants["deferred_lighting"] = variant;
-      const Result some = draw(s, o);
-      EXPECT_EQ(some.downloads.at(radiance), all.downloads.at(radiance)) << clusters << ", " << variant;
-      const auto counts = words<ClusterListStatus>(some.downloads.at(status)).at(0);
-      EXPECT_EQ(counts.dropped_lights, 0u);
-      EXPECT_EQ(counts.dropped_decals, 0u);
-      EXPECT_GT(counts.entries, 0u);
-    }
-  o.clusters = "fine", o.variants["deferred_lighting"] = "clustered";
-  for (const std::string culler : {"hexahedra_raster", "hexahedra_hi_z", "two_pass_raster", "smaller_list"}) {
-    o.variants["cluster_voxelization"] = culler;
-    EXPECT_EQ(draw(s, o).downloads.at(radiance), all.downloads.at(radiance)) << culler;
-  }
-}
-
-TEST(Frame, LightThroughClustersIsLightByBruteForce) {
-  expect_same_light(scene::small(), {320, 180});
-  expect_same_light(scene::default_scene(), {333, 187});
-}
-
-// By every way of finding and reading them.
-TEST(Frame, DecalsThroughClustersAreDecalsByBruteForce) {
-  const std::string colour = "decal_atlas_sampling.base_roughness", normal = "decal_atlas_sampling.normal";
-  for (const scene::Scene& s : {scene::small(), scene::default_scene()}) {
-    Options o = {.size = {333, 187}, .clusters = "none", .goals = {colour, normal}, .warm_up = false};
-    const Result all = draw(s, o);
-    Options bare = o;
-    bare.goals = {"deferred_texturing.base_roughness"};
-    EXPECT_NE(draw(s, bare).downloads.at(bare.goals[0]), all.downloads.at(colour)) << "no decal is seen";
-    for (const std::string clusters : {"coarse", "fine"})
-      for (const std::string variant : {"gradient", "scalarised", "bitfield"}) {
-        o.clusters = clusters, o.variants["decal_atlas_sampling"] = variant;
-        const Result some = draw(s, o);
-        for (const std::string& port : {colour, normal})
-          EXPECT_EQ(some.downloads.at(port), all.downloads.at(port)) << clusters << ", " << variant << ", " << port;
-      }
-  }
-}
-
-// A hall of lights that all reach everything: more than 256 in each cell.
-TEST(Frame, FullListsOfCellsAreTold) {
-  scene::Scene s = scene::small();
-  for (uint32_t i = 0; i < 300; ++i) s.lights.push_back({.kind = scene::LightKind::point, .intensity = 0.01f});
-  const Result r = draw(s, {.size = {64, 36}, .warm_up = false});
-  EXPECT_TRUE(std::ranges::any_of(
-      r.notes, [](const std::string& note) { return note.find("found no room") != std::string::npos; }));
-}
-
-TEST(Frame, UnknownClustersAreNamed) {
-  EXPECT_THROW(draw(scene::bare(), {.size = {8, 8}, .clusters = "some"}), std::invalid_argument);
 }
 
 }  // namespace

@@ -9,21 +9,7 @@ namespace assay::vrcs_coordinates {
 
 namespace {
 
-using vrcs::Pictured;
-
-// seen(x, y): visibility, or none where empty.
-template <class F>
-Pictured drawn(Extent e, uint8_t rate, F seen) {
-  Pictured s = vrcs::empty_screen(e);
-  std::ranges::fill(s.rates, rate);
-  for (uint y = 0; y < e.height; ++y)
-    for (uint x = 0; x < e.width; ++x)
-      if (const uvec2 v = seen(x, y); v != uvec2(kVisibilityNone)) s.cover(x, y, v);
-  return s;
-}
-Pictured of_one(Extent e, uint8_t rate) {
-  return drawn(e, rate, [](uint, uint) { return uvec2(7, 3); });
-}
+using vrcs::drawn, vrcs::of_one, vrcs::Pictured;
 
 Case in_frame_number(const Pictured& s, uint frame) {
   return with_params(case_of(s), [=](VrcsParams& p) { p.frame = frame; });

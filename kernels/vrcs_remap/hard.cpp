@@ -7,21 +7,8 @@ namespace assay::vrcs_remap {
 
 namespace {
 
-using vrcs::Pictured;
+using vrcs::drawn, vrcs::of_one, vrcs::Pictured;
 
-// seen(x, y): visibility, or none.
-template <class F>
-Pictured drawn(Extent e, uint8_t rate, F seen) {
-  Pictured s = vrcs::empty_screen(e);
-  std::ranges::fill(s.rates, rate);
-  for (uint y = 0; y < e.height; ++y)
-    for (uint x = 0; x < e.width; ++x)
-      if (const uvec2 v = seen(x, y); v != uvec2(kVisibilityNone)) s.cover(x, y, v);
-  return s;
-}
-Pictured of_one(Extent e, uint8_t rate) {
-  return drawn(e, rate, [](uint, uint) { return uvec2(7, 3); });
-}
 Pictured of_own(Extent e) {
   return drawn(e, kRate2x2, [](uint x, uint y) { return uvec2(y * 16384 + x, 1); });
 }
