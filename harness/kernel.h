@@ -350,6 +350,8 @@ struct FrameInputs {
   ClusterGrid grid = {};  // without cells: clusters are off
   float near_plane = 0.1f;
   float exposure_stops = 0;  // added to the automatic exposure
+  uint32_t frame = 0;        // its number in a sequence
+  bool vrcs = false;         // shading rates vary: passes shade primaries and copy (harness/formats/vrcs.h)
   uint32_t view = 0;         // the debug view asked for (kernels/debug_view/layout.h)
 };
 
