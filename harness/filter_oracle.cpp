@@ -9,6 +9,9 @@ constexpr double kUnorm = 1.0 / 255;
 // value needs steps of 1 / (255 * 12.92) to be told from its neighbours at all; where it is larger, it may be held as a
 // half, truncated once when it is decoded and once a lerp.
 constexpr double kUnormFilter = 3 * kUnorm, kSrgbFilter = 3 * kUnorm / 12.92, kSrgbRelative = 4 * 0x1p-10;
+// Or the eight texels' weights are multiplied out first and each rounded to a step of the weights, as an H100 does:
+// they still add up to 1, so what is off is half of 8 half steps at most, of the texels' range. Below kUnormFilter.
+constexpr double kWeightSteps = 8 * 0.5 / 2;
 constexpr double kWidest = 8;  // texels a side that are searched; beyond, the whole layer's range is taken
 constexpr Interval kNothing = {bounded::kInfinite, -bounded::kInfinite};
 
@@ -53,6 +56,11 @@ Intervals4 weighed(const Intervals4& a, const Intervals4& b, double weight) {
 }
 void widen(Intervals4& to, const Intervals4& by) {
   for (uint32_t c = 0; c < 4; ++c) to[c] = hull(to[c], by[c]);
+}
+Intervals4 nothing() {
+  Intervals4 n;
+  n.fill(kNothing);
+  return n;
 }
 
 }  // namespace
@@ -106,10 +114,9 @@ Intervals4 TextureFilter::whole(const Level& l) const {
   return it->second;
 }
 
-Intervals4 TextureFilter::bilinear(const Level& l, Interval x, Interval y) const {
-  if (!(x.high - x.low < kWidest) || !(y.high - y.low < kWidest)) return whole(l);
-  Intervals4 all;
-  all.fill(kNothing);
+TextureFilter::Filtered TextureFilter::bilinear(const Level& l, Interval x, Interval y) const {
+  if (!(x.high - x.low < kWidest) || !(y.high - y.low < kWidest)) return {whole(l), whole(l)};
+  Filtered all = {nothing(), nothing()};
   const Stops xs(x), ys(y);
   for (uint32_t j = 0; j < ys.count; ++j)
     for (uint32_t i = 0; i < xs.count; ++i) {
@@ -120,9 +127,10 @@ Intervals4 TextureFilter::bilinear(const Level& l, Interval x, Interval y) const
         Intervals4 left, right;
         for (uint32_t c = 0; c < 4; ++c)
           left[c] = l.texel(column, line + k, c), right[c] = l.texel(column + 1, line + k, c);
+        widen(all.texels, left), widen(all.texels, right);
         lines[k] = weighed(left, right, xs.at[i] - x0);
       }
-      widen(all, weighed(lines[0], lines[1], ys.at[j] - y0));
+      widen(all.value, weighed(lines[0], lines[1], ys.at[j] - y0));
     }
   return all;
 }
@@ -135,12 +143,12 @@ Intervals4 TextureFilter::sampled(uint32_t layer, Interval u, Interval v, Interv
   };
   const auto first = static_cast<uint32_t>(std::floor(detail.low)),
              last = static_cast<uint32_t>(std::ceil(detail.high));
-  Intervals4 all, previous;
+  Intervals4 all, previous, texels = nothing();
   for (uint32_t n = first; n <= last; ++n) {
-    const Intervals4 here = of_level(n);
+    const auto [here, of_here] = of_level(n);
+    widen(texels, of_here);
     if (n == first) {
-      all = here;
-      if (detail.low > first) all.fill(kNothing);
+      all = detail.low > first ? nothing() : here;
     } else {
       widen(all, weighed(previous, here, std::max(detail.low - (n - 1), 0.0)));
       widen(all, weighed(previous, here, std::min(detail.high - (n - 1), 1.0)));
@@ -148,7 +156,11 @@ Intervals4 TextureFilter::sampled(uint32_t layer, Interval u, Interval v, Interv
     previous = here;
   }
   for (uint32_t c = 0; c < 4; ++c) {
-    const double slack = is_srgb(texture_->format) && c < 3 ? kSrgbFilter + kSrgbRelative * all[c].high : kUnormFilter;
+    const double weights =
+        std::ldexp(kWeightSteps, -static_cast<int>(device_.sub_texel_bits)) * (texels[c].high - texels[c].low);
+    const double slack = is_srgb(texture_->format) && c < 3
+                             ? std::max(kSrgbFilter, weights) + kSrgbRelative * all[c].high
+                             : kUnormFilter;
     all[c] = bounded::rounded({all[c].low - slack, all[c].high + slack}, 1);
   }
   return all;

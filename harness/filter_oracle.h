@@ -38,7 +38,10 @@ class TextureFilter {
   Interval on_levels(double low, double high) const;
   Level level(uint32_t layer, uint32_t level) const;
   Intervals4 whole(const Level&) const;
-  Intervals4 bilinear(const Level&, Interval x, Interval y) const;
+  struct Filtered {
+    Intervals4 value, texels;  // and the range of the texels that it is made of
+  };
+  Filtered bilinear(const Level&, Interval x, Interval y) const;
 
   const Texture* texture_;
   DeviceTraits device_;
