@@ -320,7 +320,7 @@ std::vector<Mutant> mutants() {
           {"common.glsl", 4, "the border is the middle", "safe_border"},
           {"common.glsl", 5, "motion is forgotten", "sweep_moving"},
           {"common.glsl", 6, "1x1 is allowed where 2x2 is not quite good enough", "sweep_extra_half"},
-          {"common.glsl", 7, "the barrier before a tile's sums is dropped", "sweep"},
+          {"common.glsl", 7, "the last cell of a tile is left out", "sweep"},
           {"common.glsl", 8, "blended surfaces refine", "blended_coarser"}};
 }
 
