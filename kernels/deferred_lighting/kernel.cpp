@@ -181,7 +181,7 @@ std::vector<Mutant> mutants() {
           {"background.comp", 25, "the background ends with whole groups", "one_pixel_of_sky"},
           {"harness/glsl/vrcs.glsl", 9601, "lists are trusted", "entries_off_screen"},
           {"harness/glsl/vrcs.glsl", 9602, "the last list that saves a wave is not taken", "primaries_224"},
-          {"harness/glsl/vrcs.glsl", 9603, "one lane too many", "short_lists"},
+          {"harness/glsl/vrcs.glsl", 9603, "one lane too many", "all_2x1"},
           {"harness/glsl/vrcs.glsl", 9604, "the upper left pixel in every frame", "all_2x2_odd_frame"},
           {"harness/glsl/vrcs.glsl", 9606, "the diagonal is forgotten", "all_2x2"},
           {"harness/glsl/clusters.glsl", 9401, "a depth on a boundary is in the slice before", "depths_on_slices"},
