@@ -8,6 +8,7 @@
 
 #include "harness/check/cases.h"
 #include "harness/half.h"
+#include "kernels/deferred_lighting/sources.h"
 #include "kernels/resolve/layout.h"
 #include "tests/lowered.h"
 
@@ -54,6 +55,51 @@ TEST(Identical, VariantsAndRuns) {
     for (uint64_t seed = 1; seed <= 12; ++seed)
       if (const Case c = check::random_case(k, seed).input; is_small(c)) expect_identical(p, c, c.name);
   }
+}
+
+// ---- Primaries and copies have the bits that shading every pixel gives the primary ----
+
+struct Primaries {
+  const char *variant, *every_pixel;
+  deferred_lighting::Sources (*sources)(const Case&);
+};
+constexpr Primaries kPrimaries[] = {{"clustered_tile_list", "clustered", deferred_lighting::sources_by_tiles},
+                                    {"plain_tile_list", "plain", deferred_lighting::sources_by_tiles},
+                                    {"clustered_list", "clustered", deferred_lighting::sources_by_list}};
+
+using Texel = std::array<uint16_t, 4>;
+
+std::vector<Texel> radiance(const Kernel& k, const char* variant, const Case& c) {
+  return values<Texel>(answers(k, variant, c, {k.name.c_str(), {}, {"radiance"}})[0]);
+}
+
+// Pixels that one source reaches; how many of them are copies.
+uint64_t expect_primaries(const Kernel& k, const Primaries& p, const Case& c, const std::string& name) {
+  const auto shaded = radiance(k, p.every_pixel, c), got = radiance(k, p.variant, c);
+  const deferred_lighting::Sources sources = p.sources(c);
+  uint64_t wrong = 0, copies = 0;
+  for (size_t i = 0; i < got.size(); ++i) {
+    const uint32_t from = sources.first[i];
+    if (from == deferred_lighting::kNobody || sources.others.contains(i)) continue;
+    copies += from != i && from != deferred_lighting::kFromNowhere;
+    wrong += got[i] != (from == deferred_lighting::kFromNowhere ? Texel{} : shaded[from]);
+  }
+  EXPECT_EQ(wrong, 0u) << p.variant << ", case " << name;
+  return copies;
+}
+
+TEST(Identical, PrimariesAreEveryPixelsBits) {
+  const Kernel& k = kernel_named("deferred_lighting");
+  uint64_t copies = 0;
+  for (const Primaries& p : kPrimaries) {
+    for (const HardCase& hard : k.inputs.hard) {
+      if (hard.nightly) continue;
+      if (const Case c = hard.make(); is_small(c)) copies += expect_primaries(k, p, c, hard.name);
+    }
+    for (uint64_t seed = 1; seed <= 6; ++seed)
+      if (const Case c = check::random_case(k, seed).input; is_small(c)) copies += expect_primaries(k, p, c, c.name);
+  }
+  EXPECT_GT(copies, 10000u);
 }
 
 // ---- The sum of resolve, in float as its README orders it

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/formats/visibility.h"
 #include "harness/oracle.h"
+#include "kernels/deferred_lighting/inputs.h"
+#include "kernels/deferred_lighting/sources.h"
 #include "kernels/vrcs_shading_rate/oracle.h"
 
 namespace assay::tests {
@@ -108,6 +111,38 @@ TEST(Vrcs, TheBoundsAreReached) {
   const Codes codes = [&p](int64_t x, int64_t y) { return p.at(x, y); };
   EXPECT_EQ(squared_error(p, {true, false, false}, 8, 0, 1, copied),
             errors_of(Estimator::first_difference, p.size, 8, 0, 1, codes).across);
+}
+
+// Whatever the rates, a lit pixel comes out once: shaded or copied where something covers it, background elsewhere.
+using deferred_lighting::Sources;
+
+void expect_once(const Case& c, const Sources& s, const std::string& name) {
+  const auto visibility = c.input<uvec2>("visibility");
+  EXPECT_TRUE(s.others.empty()) << name;
+  uint64_t wrong = 0;
+  for (size_t i = 0; i < s.first.size(); ++i) {
+    const bool is_covered = visibility[i] != uvec2(kVisibilityNone);
+    wrong += is_covered ? s.first[i] >= s.first.size() : s.first[i] != deferred_lighting::kFromNowhere;
+  }
+  EXPECT_EQ(wrong, 0u) << name;
+}
+void expect_once(const Case& c, const std::string& name) {
+  expect_once(c, deferred_lighting::sources_by_tiles(c), name + " by tiles");
+  expect_once(c, deferred_lighting::sources_by_list(c), name + " by list");
+}
+
+TEST(Vrcs, EveryLitPixelComesOutOnce) {
+  for (const HardCase& hard : deferred_lighting::sound_primaries())
+    if (!hard.nightly) expect_once(hard.make(), hard.name);
+  uint32_t sound = 0;
+  for (uint64_t seed = 1; seed <= 30; ++seed) {
+    Random r(seed);
+    const Case c = deferred_lighting::random_case(r);
+    if (r.taken.contains("lists_spoilt")) continue;
+    expect_once(c, "seed " + std::to_string(seed));
+    ++sound;
+  }
+  EXPECT_GE(sound, 15u);
 }
 
 }  // namespace

@@ -48,6 +48,13 @@ VrcsPixel vrcs_checked(VrcsPixel p) {
 uint vrcs_tiles_across() { return (VRCS_EXTENT.x + kVrcsTileSide - 1u) / kVrcsTileSide; }
 uint vrcs_tile_count() { return vrcs_tiles_across() * ((VRCS_EXTENT.y + kVrcsTileSide - 1u) / kVrcsTileSide); }
 
+// The pixel of the tile that a lane stands for where all are shaded.
+uvec2 vrcs_own_pixel(uint tile, uint lane) {
+  const uvec2 first = uvec2(tile % vrcs_tiles_across(), tile / vrcs_tiles_across()) * kVrcsTileSide;
+  const uint cell = lane / 4u;
+  return first + uvec2(cell % 8u, cell / 8u) * kCellSide + uvec2(lane & 1u, lane >> 1u & 1u);
+}
+
 // tile: below vrcs_tile_count(). lane: 0 to 255, side by side in a subgroup, so that whole ones have nothing to do.
 // A pass that works out fog defines VRCS_SHADE_FOG and shades all of fogged tiles.
 VrcsPixel vrcs_tile_pixel(uint tile, uint lane) {
@@ -64,8 +71,7 @@ VrcsPixel vrcs_tile_pixel(uint tile, uint lane) {
   all = all || (word & kVrcsTileFog) != 0u;
 #endif
   if (all) {
-    const uint cell = lane / 4u;
-    p.at = first + uvec2(cell % 8u, cell / 8u) * kCellSide + uvec2(lane & 1u, lane >> 1u & 1u);
+    p.at = vrcs_own_pixel(tile, lane);
     p.code = kVrcsAll;
     return vrcs_checked(p);
   }

@@ -58,7 +58,7 @@ void main() {
   }
   if (!on_screen(pixel)) return;
   if (is_lit)
-    store(pixel, lit.radiance);
+    store(pixel, texel_of(lit.radiance));
   else
     store_background(pixel);
 }

@@ -1,4 +1,6 @@
 // What every variant binds, and all of a pixel but its loop over the lights.
+#ifndef DEFERRED_LIGHTING_COMMON
+#define DEFERRED_LIGHTING_COMMON
 #define GBUFFER_READS 1
 #include "harness/glsl/gbuffer.glsl"
 #include "harness/glsl/lighting.glsl"
@@ -76,16 +78,19 @@ Lit start(uvec2 pixel, float d) {
   return lit;
 }
 
-void store(uvec2 pixel, vec3 colour) {
+const vec4 kBackground = vec4(0.0);
+
+vec4 texel_of(vec3 colour) {
 #ifdef MUTANT_5  // neither held above 0 nor below infinity
-  imageStore(radiance, ivec2(pixel), vec4(colour, 1.0));
+  return vec4(colour, 1.0);
 #else
-  imageStore(radiance, ivec2(pixel), vec4(storable(colour), 1.0));
+  return vec4(storable(colour), 1.0);
 #endif
 }
+void store(uvec2 pixel, vec4 texel) { imageStore(radiance, ivec2(pixel), texel); }
 void store_background(uvec2 pixel) {
-#ifdef MUTANT_6  // the background is left as it was
-  return;
+#ifndef MUTANT_6  // the background is left as it was
+  store(pixel, kBackground);
 #endif
-  imageStore(radiance, ivec2(pixel), vec4(0.0));
 }
+#endif

@@ -297,7 +297,7 @@ std::vector<HardCase> hostile_cases() {
 
 std::vector<HardCase> hard_cases() {
   std::vector<HardCase> all;
-  for (auto& more : {size_cases(), surface_cases(), light_cases(), hostile_cases(), cell_cases()})
+  for (auto& more : {size_cases(), surface_cases(), light_cases(), hostile_cases(), cell_cases(), primary_cases()})
     all.insert(all.end(), more.begin(), more.end());
   return all;
 }

@@ -7,6 +7,9 @@
 
 #include "harness/clusters.h"
 #include "harness/crop.h"
+#include "harness/formats/pixel_commands.h"
+#include "harness/formats/visibility.h"
+#include "harness/vrcs_screens.h"
 #include "kernels/deferred_lighting/picture.h"
 
 namespace assay::deferred_lighting {
@@ -71,6 +74,23 @@ void break_lights(Picture& p, Pcg32& rng) {
   }
 }
 
+// Lists that are nobody's, of which a pixel still has one result at most: tiles of which there is nothing, less or all,
+// and entries of the screen's list that are none.
+void spoil(Case& c, Pcg32& rng) {
+  const auto words = c.input<uint32_t>("tiles"), listed = c.input<uint32_t>("list");
+  std::vector<uint32_t> tiles(words.begin(), words.end()), list(listed.begin(), listed.end());
+  for (uint32_t& word : tiles) {
+    const uint32_t count = word & kVrcsTileCount, flags = rng.next() & ~kVrcsTileCount;
+    const uint32_t fewer = count <= kVrcsTileEntries ? word - rng.below(count + 1) : word;
+    const uint32_t odd[] = {word, fewer, flags, flags | (kVrcsTileEntries + 1 + rng.below(287))};
+    word = odd[rng.below(4)];
+  }
+  for (uint32_t& entry : list)
+    if (rng.below(8) == 0) entry |= rng.below(2) ? kEntryInvalid : 0x3fffu;
+  c.set_input("tiles", tiles);
+  c.set_input("list", list);
+}
+
 }  // namespace
 
 Case random_case(Random& r) {
@@ -101,21 +121,32 @@ Case random_case(Random& r) {
       add_lights(p, r.rng, 9 + r.rng.below(90), far ? 500 : 2);
   }
   if (r.branch({{"lights_whole", 0.8}, {"lights_broken", 0.2}}) != 0) break_lights(p, r.rng);
-  return to_case("random", p);
+  p.params.frame = r.rng.next();
+  p.rates = vrcs::random_rates(r, extent);
+  p.visibility = covered_by_depth(p);
+  if (r.branch({{"covered_where_deep", 0.8}, {"covered_elsewhere", 0.2}}) != 0)
+    for (uvec2& seen : p.visibility)
+      if (r.rng.below(9) == 0) seen = r.rng.below(2) ? uvec2(r.rng.next(), 1) : uvec2(kVisibilityNone);
+  Case c = to_case("random", p);
+  if (r.branch({{"lists_made", 0.85}, {"lists_spoilt", 0.15}}) != 0) spoil(c, r.rng);
+  return c;
 }
 
 std::vector<std::string> branches() {
   std::vector<std::string> all = kExtentBranches;
   for (const char* b :
        {"near", "far", "turned", "straight", "all_covered", "holes", "rectangles", "noise", "plain_surfaces",
-        "featured_surfaces", "lights_none", "lights_few", "lights_many", "lights_whole", "lights_broken"})
+        "featured_surfaces", "lights_none", "lights_few", "lights_many", "lights_whole", "lights_broken",
+        "covered_where_deep", "covered_elsewhere", "lists_made", "lists_spoilt"})
     all.push_back(b);
+  all.insert(all.end(), vrcs::kRateBranches.begin(), vrcs::kRateBranches.end());
   return all;
 }
 
 std::vector<Case> smaller(const Case& c) {
   std::vector<Case> found;
   const auto params = c.params<LightingParams>();
+  const auto visibility = c.input<uvec2>("visibility");
   const auto lights = c.input<LightRecord>("lights");
   const auto with_lights = [&](std::span<const LightRecord> some) {
     Case part = c;
@@ -141,6 +172,7 @@ std::vector<Case> smaller(const Case& c) {
     part.set_input("metallic_occlusion", cropped(c.input<uint16_t>("metallic_occlusion"), c.extent, crop));
     for (const char* words : {"base_roughness", "normal", "emissive", "features"})
       part.set_input(words, cropped(c.input<uint32_t>(words), c.extent, crop));
+    set_primaries(part, {.extent = crop.size, .params = params, .visibility = cropped(visibility, c.extent, crop)});
     found.push_back(std::move(part));
   }
   return found;
@@ -152,6 +184,7 @@ Case typical_with(Extent extent, uint32_t lights) {
   p.lights = {directional({0.4, -1, -0.6}, vec3(2, 1.9f, 1.7f)), point({1, 1.5, -3}, 8, vec3(20, 14, 8)),
               spot({-2.5, 3, -3}, {0.3, -1, -0.4}, 12, 0.3, 0.6, vec3(60, 70, 90))};
   if (lights > 3) add_lights(p, rng, lights - 3, 1.5);
+  p.rates = vrcs::rates_in_blocks(extent, rng, 4);
   return to_case("typical", p);
 }
 
@@ -161,7 +194,7 @@ Case in_frame(const FrameInputs& f) {
   Case c = {.name = "frame", .extent = f.extent};
   const vec3 ambient = vec3(0.03f, 0.035f, 0.04f);
   c.set_params(LightingParams{f.rays, f.near_plane, ambient, f.extent.width, f.extent.height, f.scene.lights, f.grid,
-                              list_capacity(f.grid)});
+                              list_capacity(f.grid), f.frame});
   return c;
 }
 

@@ -1,5 +1,8 @@
 #include <algorithm>
 
+#include "harness/formats/vrcs.h"
+#include "harness/formats/workloads.h"
+#include "harness/groups.h"
 #include "kernels/deferred_lighting/inputs.h"
 #include "kernels/deferred_lighting/layout.h"
 #include "kernels/deferred_lighting/oracle.h"
@@ -8,6 +11,7 @@ namespace assay::deferred_lighting {
 namespace {
 
 Groups per_tile(const Case& c) { return {ceil_div(c.extent.width, 16), ceil_div(c.extent.height, 16), 1}; }
+Groups per_tile_in_rows(const Case& c) { return spread_groups(tile_count(c.extent, kVrcsTileSide)); }
 uint64_t lights(const Case& c) { return c.params<LightingParams>().lights; }
 uint64_t cells(const Case& c) {
   const ClusterGrid g = c.params<LightingParams>().grid;
@@ -16,12 +20,49 @@ uint64_t cells(const Case& c) {
 uint64_t entries(const Case& c) { return c.params<LightingParams>().entries; }
 uint64_t slice_edges(const Case& c) { return uint64_t{c.params<LightingParams>().grid.slices} + 1; }
 
-// Operations of a light at a pixel: 150 in common, as the shader counts them; of as many lights as a cell lists.
-Cost cost(const Case& c) {
-  return {.bytes_read = pixels(c) * (4 + 4 + 4 + 2 + 4 + 4) + lights(c) * sizeof(LightRecord) +
-                        cells(c) * sizeof(uvec2) + entries(c) * sizeof(uint) + slice_edges(c) * sizeof(float),
+uint64_t tiles(const Case& c) { return tile_count(c.extent, kVrcsTileSide); }
+uint64_t tile_entries(const Case& c) { return tiles(c) * kVrcsTileEntries; }
+
+// Bytes of the ports, and 150 operations of a light at a pixel, as the shader counts them.
+uint64_t bytes_of_pixels(const Case& c) {
+  return pixels(c) * (4 + 4 + 4 + 2 + 4 + 4) + lights(c) * sizeof(LightRecord);
+}
+uint64_t bytes_of_cells(const Case& c) {
+  return cells(c) * sizeof(uvec2) + entries(c) * sizeof(uint) + slice_edges(c) * sizeof(float);
+}
+uint64_t bytes_of_tiles(const Case& c) {
+  return pixels(c) * sizeof(uvec2) + (tiles(c) + tile_entries(c)) * sizeof(uint);
+}
+uint64_t bytes_of_list(const Case& c) {
+  return pixels(c) * (sizeof(uvec2) + sizeof(uint)) + sizeof(uint) + sizeof(DispatchArgs);
+}
+uint64_t lights_a_cell(const Case& c) { return entries(c) / std::max<uint64_t>(cells(c), 1); }
+
+uint64_t shaded_by_tiles(const Case& c) {
+  uint64_t shaded = 0;
+  for (const uint word : c.input<uint>("tiles"))
+    shaded += (word & kVrcsTileCount) > kVrcsTileEntries ? kVrcsTilePixels : word & kVrcsTileCount;
+  return shaded;
+}
+
+Cost cost_of_reads(const Case& c, uint64_t bytes_read, uint64_t shaded, uint64_t lights_a_pixel) {
+  return {.bytes_read = bytes_read,
           .bytes_written = pixels(c) * 8,
-          .operations = pixels(c) * (60 + 150 * entries(c) / std::max<uint64_t>(cells(c), 1))};
+          .operations = pixels(c) + shaded * (60 + 150 * lights_a_pixel)};
+}
+Cost cost(const Case& c) {
+  return cost_of_reads(c, bytes_of_pixels(c) + bytes_of_cells(c), pixels(c), lights_a_cell(c));
+}
+Cost cost_of_tiles(const Case& c) {
+  return cost_of_reads(c, bytes_of_pixels(c) + bytes_of_cells(c) + bytes_of_tiles(c), shaded_by_tiles(c),
+                       lights_a_cell(c));
+}
+Cost cost_of_plain_tiles(const Case& c) {
+  return cost_of_reads(c, bytes_of_pixels(c) + bytes_of_tiles(c), shaded_by_tiles(c), lights(c));
+}
+Cost cost_of_list(const Case& c) {
+  return cost_of_reads(c, bytes_of_pixels(c) + bytes_of_cells(c) + bytes_of_list(c), c.input<uint>("list_count")[0],
+                       lights_a_cell(c));
 }
 
 // Both producers of a channel of the G-buffer; the update, where there is one, made the latest version.
@@ -47,12 +88,24 @@ std::vector<Port> ports() {
                            reads<uint>("features", pixels, of_gbuffer("features")),
                            reads<LightRecord>("lights", lights, {"scene.lights"}),
                            writes_image("radiance", Format::rgba16_float)};
-  for (Port& p : std::vector<Port>{reads<uvec2>("cells", cells, {"cluster_lists.cells"}),
-                                   reads<uint>("entries", entries, {"cluster_lists.entries"}),
-                                   reads<float>("slice_edges", slice_edges, {"scene.slice_edges"})}) {
-    p.only_in = {"clustered", "clustered_scalarised"};
-    all.push_back(std::move(p));
-  }
+  const auto add = [&all](const std::vector<std::string>& variants, std::vector<Port> some) {
+    for (Port& p : some) {
+      p.only_in = variants;
+      all.push_back(std::move(p));
+    }
+  };
+  add({"clustered", "clustered_scalarised", "clustered_tile_list", "clustered_list"},
+      {reads<uvec2>("cells", cells, {"cluster_lists.cells"}),
+       reads<uint>("entries", entries, {"cluster_lists.entries"}),
+       reads<float>("slice_edges", slice_edges, {"scene.slice_edges"})});
+  add({"clustered_tile_list", "plain_tile_list", "clustered_list"},
+      {reads_image("visibility", Format::rg32_uint, {"visibility.visibility"})});
+  add({"clustered_tile_list", "plain_tile_list"},
+      {reads<uint>("tiles", tiles, {"vrcs_coordinates.tiles"}),
+       reads<uint>("tile_entries", tile_entries, {"vrcs_coordinates.entries"})});
+  add({"clustered_list"}, {reads<uint>("list", pixels, {"vrcs_coordinates.list"}),
+                           reads<uint>("list_count", fixed(1), {"vrcs_coordinates.list_count"}),
+                           reads<DispatchArgs>("list_args", fixed(1), {"vrcs_coordinates.list_args"})});
   return all;
 }
 
@@ -66,6 +119,40 @@ Variant clustered(const std::string& name, std::vector<Feature> needs, const std
           .note = note};
 }
 
+Variant of_primaries(const std::string& name, std::vector<Pass> passes, std::function<Cost(const Case&)> cost,
+                     const std::string& note) {
+  Bound bound = radiance("of the primary's pixel, as of a pixel that all are shaded of");
+  bound.answer = name;
+  return {.name = name,
+          .passes = std::move(passes),
+          .subgroup_min = 4,
+          .bounds = std::vector<Bound>{bound},
+          .cost = std::move(cost),
+          .note = note};
+}
+
+std::vector<Variant> variants() {
+  return {{.name = "plain", .passes = {Dispatch{"plain.comp", per_tile}}, .note = "each pixel walks all lights"},
+          {.name = "tiled_shared",
+           .passes = {Dispatch{"tiled_shared.comp", per_tile}},
+           .note = "a group fetches lights once, through shared memory"},
+          {.name = "subgroup_cull",
+           .passes = {Dispatch{"subgroup_cull.comp", per_tile}},
+           .needs = {Feature::subgroup_ballot, Feature::subgroup_arithmetic},
+           .note = "a wave leaves out lights whose range its pixels' box is beyond"},
+          clustered("clustered", {}, "each pixel walks the lights of its cell"),
+          clustered("clustered_scalarised", {Feature::subgroup_ballot, Feature::subgroup_arithmetic},
+                    "a wave walks the lights of its cells together, in one cell without asking"),
+          of_primaries("clustered_tile_list", {Dispatch{"clustered_tile_list.comp", per_tile_in_rows}}, cost_of_tiles,
+                       "a group a tile of 16x16 shades its primaries and copies"),
+          of_primaries("plain_tile_list", {Dispatch{"plain_tile_list.comp", per_tile_in_rows}}, cost_of_plain_tiles,
+                       "the same by all lights"),
+          of_primaries("clustered_list",
+                       {Dispatch{"background.comp", per_tile},
+                        Dispatch{.shader = "clustered_list.comp", .indirect = "list_args"}},
+                       cost_of_list, "a thread a primary of the screen's list, after the background")};
+}
+
 std::vector<Mutant> mutants() {
   return {{"common.glsl", 1, "the last column is not on the screen", "odd_extent"},
           {"common.glsl", 2, "a pixel's corner for its centre", "one_pixel"},
@@ -73,7 +160,7 @@ std::vector<Mutant> mutants() {
           {"common.glsl", 4, "ambient light without occlusion", "no_light"},
           {"common.glsl", 5, "neither held above 0 nor below infinity", "negative_light"},
           {"common.glsl", 6, "the background is left as it was", "background"},
-          {"plain.comp", 7, "the last light is left out", "one_pixel"},
+          {"all_lights.glsl", 7, "the last light is left out", "one_pixel"},
           {"tiled_shared.comp", 8, "the first barrier dropped", "one_light_over_two_batches"},
           {"tiled_shared.comp", 9, "a whole batch though fewer lights are left", "one_light_over_two_batches"},
           {"tiled_shared.comp", 10, "the second barrier dropped", "many_lights"},
@@ -81,9 +168,22 @@ std::vector<Mutant> mutants() {
           {"subgroup_cull.comp", 12, "the first lane's box for the wave's", "light_in_one_pixel"},
           {"subgroup_cull.comp", 13, "every light taken for the first of its round", "many_lights"},
           {"lists.glsl", 14, "the last light is not there", "cells_of_one_light"},
-          {"clustered.comp", 15, "a list's first light is left out", "cells_of_one_light"},
+          {"cell_lights.glsl", 15, "a list's first light is left out", "cells_of_one_light"},
           {"clustered_scalarised.comp", 16, "the first lane's light for the least of all", "cells_within_a_wave"},
           {"clustered_scalarised.comp", 17, "a wave of two cells taken for one of the first", "cells_within_a_wave"},
+          {"covered.glsl", 18, "the depth is asked what is covered", "covered_elsewhere"},
+          {"primaries.glsl", 19, "a primary without depth is left as it was", "covered_elsewhere"},
+          {"tile_list.glsl", 20, "a tile is full by its flag alone", "full_by_flag"},
+          {"tile_list.glsl", 21, "background in sky tiles alone", "one_pixel_of_sky"},
+          {"tile_list.glsl", 22, "where all are to be shaded, none is", "primaries_225"},
+          {"clustered_list.comp", 23, "one row of groups", "rows_of_groups"},
+          {"clustered_list.comp", 24, "the last thread of a group has nothing to do", "all_2x2"},
+          {"background.comp", 25, "the background ends with whole groups", "one_pixel_of_sky"},
+          {"harness/glsl/vrcs.glsl", 9601, "lists are trusted", "entries_off_screen"},
+          {"harness/glsl/vrcs.glsl", 9602, "the last list that saves a wave is not taken", "primaries_224"},
+          {"harness/glsl/vrcs.glsl", 9603, "one lane too many", "all_2x1"},
+          {"harness/glsl/vrcs.glsl", 9604, "the upper left pixel in every frame", "all_2x2_odd_frame"},
+          {"harness/glsl/vrcs.glsl", 9606, "the diagonal is forgotten", "all_2x2"},
           {"harness/glsl/clusters.glsl", 9401, "a depth on a boundary is in the slice before", "depths_on_slices"},
           {"harness/glsl/clusters.glsl", 9402, "columns as wide as rows are high", "cells_of_one_light"},
           {"harness/glsl/gbuffer.glsl", 9302, "normals of the lower half stay folded", "every_normal"},
@@ -111,19 +211,7 @@ Kernel describe() {
       .default_variant = "clustered",
       .params = layout_of<LightingParams>(),
       .ports = ports(),
-      .variants = {{.name = "plain",
-                    .passes = {Dispatch{"plain.comp", per_tile}},
-                    .note = "each pixel walks all lights"},
-                   {.name = "tiled_shared",
-                    .passes = {Dispatch{"tiled_shared.comp", per_tile}},
-                    .note = "a group fetches lights once, through shared memory"},
-                   {.name = "subgroup_cull",
-                    .passes = {Dispatch{"subgroup_cull.comp", per_tile}},
-                    .needs = {Feature::subgroup_ballot, Feature::subgroup_arithmetic},
-                    .note = "a wave leaves out lights whose range its pixels' box is beyond"},
-                   clustered("clustered", {}, "each pixel walks the lights of its cell"),
-                   clustered("clustered_scalarised", {Feature::subgroup_ballot, Feature::subgroup_arithmetic},
-                             "a wave walks the lights of its cells together, in one cell without asking")},
+      .variants = variants(),
       .oracle = expected_radiance,
       .inputs = {.random = random_case, .branches = branches(), .hard = hard_cases(), .smaller = smaller},
       .bounds = {radiance(kReason)},

@@ -16,13 +16,15 @@ struct LightingParams {
   // Of the variants that walk lists.
   ClusterGrid grid;
   uint entries;  // of the lists
+  // Of the variants that shade primaries.
+  uint frame;  // as the lists of primaries were made with
 };
 
 // One loop of an invocation runs over them, and lavapipe ends loops after 65,535 turns.
 SHARED_CONST uint kMostLights = 32768u;
 
 #ifdef __cplusplus
-SHARED_LAYOUT(LightingParams, rays, near_plane, ambient, width, height, lights, grid, entries);
+SHARED_LAYOUT(LightingParams, rays, near_plane, ambient, width, height, lights, grid, entries, frame);
 #endif
 SHARED_END
 #endif

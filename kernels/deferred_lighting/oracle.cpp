@@ -1,9 +1,13 @@
 #include "kernels/deferred_lighting/oracle.h"
 
+#include <algorithm>
+#include <unordered_map>
+
 #include "harness/half.h"
 #include "harness/judged.h"
 #include "harness/lighting_oracle.h"
 #include "kernels/deferred_lighting/layout.h"
+#include "kernels/deferred_lighting/sources.h"
 
 namespace assay::deferred_lighting {
 
@@ -103,8 +107,6 @@ Colour radiance_of(const View& v, uint64_t pixel, std::span<const LightRecord> l
   return sum;
 }
 
-bool has_surface(float depth) { return depth > kLeastDepth && std::isfinite(depth); }
-
 // All pixels of small cases; of others every n-th, n odd so that neighbouring rows differ.
 std::vector<uint64_t> judged_pixels(const View& v) {
   const uint64_t most =
@@ -125,6 +127,8 @@ float highest(double v) { return static_cast<float>(half_at_least(std::clamp(v +
 
 }  // namespace
 
+bool has_surface(float depth) { return depth > kLeastDepth && std::isfinite(depth); }
+
 Layout texel_layout() { return {"", 16, {{"radiance", 0, 3, Scalar::f32}, {"surface", 12, 1, Scalar::f32}}}; }
 
 Bytes unpack_texels(std::span<const std::byte> texels) {
@@ -138,27 +142,78 @@ Bytes unpack_texels(std::span<const std::byte> texels) {
 
 namespace {
 
-// `lights_of(pixel)` light it.
-template <class F>
-Expected radiance_under(const View& v, std::vector<uint64_t> judged, F lights_of) {
+struct Texels {
+  vec4 low = vec4(0), high = vec4(0);  // background
+};
+
+// Of pixels under the lights that light_of() names, each worked out once: copies ask for their primary's.
+class Lit {
+ public:
+  using LightsOf = std::function<std::vector<LightRecord>(uint64_t)>;
+  Lit(const View& v, LightsOf lights_of) : view_(v), lights_of_(std::move(lights_of)) {}
+
+  const Texels& at(uint64_t pixel) {
+    const auto [it, is_new] = known_.try_emplace(pixel);
+    Texels& t = it->second;
+    if (!is_new || pixel == kFromNowhere || !has_surface(view_.depth[pixel])) return t;
+    const Colour r = radiance_of(view_, pixel, lights_of_(pixel));
+    for (int i = 0; i < 3; ++i)
+      t.low[i] = lowest(r[static_cast<size_t>(i)].low), t.high[i] = highest(r[static_cast<size_t>(i)].high);
+    t.low.w = t.high.w = 1;
+    return t;
+  }
+
+ private:
+  const View& view_;
+  LightsOf lights_of_;
+  std::unordered_map<uint64_t, Texels> known_;
+};
+
+struct Answered {
+  Expected e;
   std::vector<vec4> low, high;
-  std::vector<uint32_t> first = {0};
+
+  void add(const Texels& t) { low.push_back(t.low), high.push_back(t.high); }
+  Expected done() {
+    e.low = expect_all(low).low, e.high = expect_all(high).low;
+    return std::move(e);
+  }
+};
+
+Expected each_its_own(const View& v, const std::vector<uint64_t>& judged, Lit& lit) {
+  Answered a{{.first = {0}, .judged = judged}, {}, {}};
   for_each_judged(v.c, judged, [&](uint64_t pixel) {
-    vec4 a(0), b(0);
-    if (has_surface(v.depth[pixel])) {
-      const Colour r = radiance_of(v, pixel, lights_of(pixel));
-      for (int i = 0; i < 3; ++i)
-        a[i] = lowest(r[static_cast<size_t>(i)].low), b[i] = highest(r[static_cast<size_t>(i)].high);
-      a.w = b.w = 1;
-    }
-    low.push_back(a), high.push_back(b);
-    first.push_back(static_cast<uint32_t>(low.size()));
+    a.add(lit.at(pixel));
+    a.e.first.push_back(static_cast<uint32_t>(a.low.size()));
   });
-  Expected e = expect_all(low);
-  e.high = expect_all(high).low;
-  e.first = std::move(first);
-  e.judged = std::move(judged);
-  return e;
+  return a.done();
+}
+
+// Empty: all.
+std::optional<std::vector<Expected::Run>> live_in(const Sources& s) {
+  if (std::ranges::find(s.first, kNobody) == s.first.end()) return {};
+  std::vector<Expected::Run> runs;
+  for (uint64_t i = 0; i < s.first.size(); ++i) {
+    if (s.first[i] == kNobody) continue;
+    if (runs.empty() || runs.back().first + runs.back().count != i) runs.push_back({i, 0});
+    ++runs.back().count;
+  }
+  return runs;
+}
+
+Expected by_sources(const View& v, const std::vector<uint64_t>& judged, Lit& lit, const Sources& s) {
+  Answered a{{.first = {0}, .live = live_in(s)}, {}, {}};
+  for_each_judged(v.c, judged, [&](uint64_t pixel) {
+    if (s.first[pixel] == kNobody) return;
+    a.add(lit.at(s.first[pixel]));
+    if (const auto more = s.others.find(pixel); more != s.others.end())
+      for (const uint32_t source : more->second) a.add(lit.at(source));
+    a.e.first.push_back(static_cast<uint32_t>(a.low.size()));
+    if (!judged.empty()) a.e.judged.push_back(pixel);
+  });
+  // None of the sample is live: all that are.
+  if (!judged.empty() && a.e.judged.empty()) return by_sources(v, {}, lit, s);
+  return a.done();
 }
 
 }  // namespace
@@ -166,8 +221,14 @@ Expected radiance_under(const View& v, std::vector<uint64_t> judged, F lights_of
 Answer expected_radiance(const Case& c) {
   const View v = {c};
   const auto judged = judged_pixels(v);
-  return {{"radiance", radiance_under(v, judged, [&](uint64_t) { return v.lights; })},
-          {"clustered_radiance", radiance_under(v, judged, [&](uint64_t pixel) { return listed(v, pixel); })}};
+  Lit by_all(v, [&](uint64_t) { return std::vector(v.lights.begin(), v.lights.end()); });
+  Lit by_listed(v, [&](uint64_t pixel) { return listed(v, pixel); });
+  const Sources by_tiles = sources_by_tiles(c), by_list = sources_by_list(c);
+  return {{"radiance", each_its_own(v, judged, by_all)},
+          {"clustered_radiance", each_its_own(v, judged, by_listed)},
+          {"plain_tile_list", by_sources(v, judged, by_all, by_tiles)},
+          {"clustered_tile_list", by_sources(v, judged, by_listed, by_tiles)},
+          {"clustered_list", by_sources(v, judged, by_listed, by_list)}};
 }
 
 std::vector<double> relative_widths(const Case& c) {

@@ -4,6 +4,10 @@
 #include <cmath>
 
 #include "harness/clusters.h"
+#include "harness/formats/visibility.h"
+#include "harness/vrcs_lists.h"
+#include "harness/vrcs_screens.h"
+#include "kernels/deferred_lighting/oracle.h"
 
 namespace assay::deferred_lighting {
 
@@ -93,10 +97,12 @@ Picture wall(Extent e, double view_depth) {
 
 Picture hall(Extent e) {
   Picture p = wall(e);
+  p.visibility.assign(p.depth.size(), uvec2(kVisibilityNone));
   for (uint32_t y = 0; y < e.height; ++y)
     for (uint32_t x = 0; x < e.width; ++x) {
       const size_t i = p.at(x, y);
       const Hit hit = look(p.ray(x + 0.5, y + 0.5));
+      if (hit.what >= 0) p.visibility[i] = {y / 23 * 4096 + x / 25, static_cast<uint32_t>(hit.what)};
       if (hit.what < 0) {
         p.depth[i] = 0, p.base[i] = 0, p.normal[i] = 0, p.metal[i] = 0, p.features[i] = 0;
         continue;
@@ -169,7 +175,29 @@ Case to_case(const std::string& name, const Picture& p) {
   c.set_input("cells", p.cells);
   c.set_input("entries", p.entries);
   c.set_input("slice_edges", p.slice_edges);
+  set_primaries(c, p);
   return c;
+}
+
+std::vector<uvec2> covered_by_depth(const Picture& p) {
+  std::vector<uvec2> visibility;
+  for (uint32_t y = 0; y < p.extent.height; ++y)
+    for (uint32_t x = 0; x < p.extent.width; ++x)
+      visibility.push_back(has_surface(p.depth[p.at(x, y)]) ? uvec2(y / 7 * 4096 + x / 5, 1) : uvec2(kVisibilityNone));
+  return visibility;
+}
+
+void set_primaries(Case& c, const Picture& p) {
+  const auto visibility = p.visibility.empty() ? covered_by_depth(p) : p.visibility;
+  Pcg32 rng(p.extent.width, p.extent.height);
+  const auto rates = p.rates.empty() ? vrcs::rates_in_blocks(p.extent, rng, 2) : p.rates;
+  const auto coordinates =
+      vrcs::coordinates_of({.extent = p.extent, .visibility = visibility, .rates = rates, .frame = p.params.frame});
+  const vrcs::Lists lists = vrcs::lists_of(coordinates);
+  c.set_input("visibility", visibility);
+  c.set_input("tiles", lists.tiles);
+  c.set_input("tile_entries", lists.entries);
+  vrcs::set_screen_list(c, coordinates.tiles, rng);
 }
 
 LightRecord directional(const dvec3& direction, const vec3& colour) {

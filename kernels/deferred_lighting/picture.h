@@ -1,4 +1,4 @@
-// G-buffers made by hand, for the cases.
+// G-buffers made by hand, for the cases, and what their pixels' rates make of them.
 #pragma once
 #include <functional>
 
@@ -18,6 +18,9 @@ struct Picture {
   std::vector<float> slice_edges = {};
   std::vector<uvec2> cells = {};
   std::vector<uint32_t> entries = {};
+  // What covers each pixel, and the rate of each cell of 2x2; empty: to_case makes some, covered where there is depth.
+  std::vector<uvec2> visibility = {};
+  std::vector<uint8_t> rates = {};
 
   size_t at(uint32_t x, uint32_t y) const { return size_t{y} * extent.width + x; }
   glm::dvec3 ray(double x, double y) const;                     // to view depth 1, through (x, y) in pixels
@@ -29,12 +32,17 @@ struct Picture {
 
 // 90 degrees across, looking along -z; a grey wall of medium roughness 3 m away that faces the camera.
 Picture wall(Extent, double view_depth = 3);
-// A hall with balls of every roughness and some metals, as a frame might have it.
+// A hall with balls of every roughness and some metals, as a frame might have it, of triangles of 25x23 pixels.
 Picture hall(Extent);
 Case to_case(const std::string& name, const Picture&);
 // Cells of so many pixels with slices at these depths, and in each `lights_in(cell)` of the picture's lights.
 void add_cells(Picture&, Extent cell, const std::vector<float>& depths,
                const std::function<std::vector<uint32_t>(uint32_t)>& lights_in);
+
+// A triangle for each 5x7 pixels where there is depth, so that seams run through cells.
+std::vector<uvec2> covered_by_depth(const Picture&);
+// The inputs that say which pixels are shaded and which copied, in frame params.frame.
+void set_primaries(Case&, const Picture&);
 
 uint32_t octahedral_code(const glm::dvec3&);
 uint32_t base_code(uint32_t red, uint32_t green, uint32_t blue, uint32_t roughness);  // bytes

@@ -63,5 +63,5 @@ void main() {
   if (d == 0.0)
     store_background(pixel);
   else
-    store(pixel, lit.radiance);
+    store(pixel, texel_of(lit.radiance));
 }

@@ -1,0 +1,3 @@
+#version 460
+#include "kernels/deferred_lighting/cell_lights.glsl"
+#include "kernels/deferred_lighting/tile_list.glsl"
