@@ -6,6 +6,8 @@
 
 namespace assay::vrcs {
 
+const std::vector<std::string> kRateBranches = {"rates_of_one_kind", "rates_in_blocks", "rates_by_cell",
+                                                "rates_unknown"};
 const std::vector<std::string> kScreenBranches = {"covered_by_none", "covered_by_one",    "covered_by_noise",
                                                   "covered_by_few",  "covered_by_meshes", "rates_of_one_kind",
                                                   "rates_in_blocks", "rates_by_cell",     "rates_unknown"};
@@ -13,6 +15,13 @@ const std::vector<std::string> kScreenBranches = {"covered_by_none", "covered_by
 Pictured empty_screen(Extent e) {
   return {e, std::vector<uvec2>(pixel_count(e), uvec2(kVisibilityNone)), std::vector<float>(pixel_count(e)),
           std::vector<uint>(pixel_count(e)), std::vector<uint8_t>(pixel_count(cells_of(e)))};
+}
+
+Pictured of_primaries(Extent e, uint more_than_192) {
+  return drawn(e, kRate2x2, [=](uint x, uint y) {
+    const uint cell = y % 16 / 2 * 8 + x % 16 / 2, i = y % 2 * 2 + x % 2;
+    return uvec2(i == 3 && cell >= more_than_192 ? 0 : i, 1);
+  });
 }
 
 uint focal_of(Extent e) { return std::clamp(e.width / 2, 1u, 16383u); }
@@ -85,33 +94,35 @@ uint8_t some_rate(Pcg32& rng) {
   return kRates[kShares[rng.below(10)]];
 }
 
-void rate_blocks(Pictured& s, Pcg32& rng, uint side) {
-  const Extent cells = cells_of(s.extent), blocks = tiles_of(cells, side);
-  std::vector<uint8_t> of_block(pixel_count(blocks));
+}  // namespace
+
+std::vector<uint8_t> rates_in_blocks(Extent e, Pcg32& rng, uint side) {
+  const Extent cells = cells_of(e), blocks = tiles_of(cells, side);
+  std::vector<uint8_t> of_block(pixel_count(blocks)), rates;
   for (uint8_t& rate : of_block) rate = some_rate(rng);
   for (uint y = 0; y < cells.height; ++y)
-    for (uint x = 0; x < cells.width; ++x)
-      s.rates[size_t{y} * cells.width + x] = of_block[size_t{y / side} * blocks.width + x / side];
+    for (uint x = 0; x < cells.width; ++x) rates.push_back(of_block[size_t{y / side} * blocks.width + x / side]);
+  return rates;
 }
 
-void random_rates(Random& r, Pictured& s) {
+std::vector<uint8_t> random_rates(Random& r, Extent e) {
+  std::vector<uint8_t> rates(pixel_count(cells_of(e)));
   switch (r.branch(
       {{"rates_of_one_kind", 0.25}, {"rates_in_blocks", 0.35}, {"rates_by_cell", 0.25}, {"rates_unknown", 0.15}})) {
     case 0:
-      std::ranges::fill(s.rates, kRates[r.rng.below(4)]);
+      std::ranges::fill(rates, kRates[r.rng.below(4)]);
       break;
     case 1:
-      rate_blocks(s, r.rng, 1u << r.rng.below(6));
+      rates = rates_in_blocks(e, r.rng, 1u << r.rng.below(6));
       break;
     case 2:
-      for (uint8_t& rate : s.rates) rate = some_rate(r.rng);
+      for (uint8_t& rate : rates) rate = some_rate(r.rng);
       break;
     default:
-      for (uint8_t& rate : s.rates) rate = static_cast<uint8_t>(r.rng.next() >> r.rng.below(4) * 8);
+      for (uint8_t& rate : rates) rate = static_cast<uint8_t>(r.rng.next() >> r.rng.below(4) * 8);
   }
+  return rates;
 }
-
-}  // namespace
 
 Pictured typical_screen(Extent e) {
   Pictured s = empty_screen(e);
@@ -119,7 +130,7 @@ Pictured typical_screen(Extent e) {
   const uint horizon = e.height / 3;
   add_mesh(s, {0, horizon, e.width, e.height, 24, 0, 1e-3, 0, 0.03 / (e.height - horizon), 1e-4});
   add_meshes(s, rng, 30);
-  rate_blocks(s, rng, 4);
+  s.rates = rates_in_blocks(e, rng, 4);
   return s;
 }
 
@@ -159,7 +170,7 @@ Pictured random_screen(Random& r, Extent e) {
     default:
       add_meshes(s, r.rng, 1 + r.rng.below(12));
   }
-  random_rates(r, s);
+  s.rates = random_rates(r, e);
   return s;
 }
 

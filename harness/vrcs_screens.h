@@ -36,14 +36,22 @@ Pictured drawn(Extent e, uint8_t rate, F seen) {
 inline Pictured of_one(Extent e, uint8_t rate) {
   return drawn(e, rate, [](uint, uint) { return uvec2(7, 3); });
 }
+// Tiles of 64 cells at 2x2 with three primaries each, but for so many of them with four.
+Pictured of_primaries(Extent, uint more_than_192);
 uint focal_of(Extent);  // pixels, of 90 degrees across
+
+// Rates of cells, by blocks of `side` cells, two in five of them 2x2.
+std::vector<uint8_t> rates_in_blocks(Extent, Pcg32&, uint side);
+// By blocks, cells, all of one, or of any value. Branches: kRateBranches.
+std::vector<uint8_t> random_rates(Random&, Extent);
+extern const std::vector<std::string> kRateBranches;
 
 // A floor, walls and hills of triangles of 4 to 40 pixels under a third of sky; rates by block of 8x8, two in five of
 // them 2x2.
 Pictured typical_screen(Extent);
 // One uneven surface everywhere, of triangles of side^2 / 2 pixels, at a rate of 2x2.
 Pictured uneven_screen(Extent, uint side);
-// Branches: kScreenBranches.
+// Branches: kScreenBranches, with those of the rates.
 Pictured random_screen(Random&, Extent);
 extern const std::vector<std::string> kScreenBranches;
 

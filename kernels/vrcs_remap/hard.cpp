@@ -14,13 +14,7 @@ Pictured of_own(Extent e) {
 }
 Case made(const Pictured& s, uint frame = 0) { return case_of(s.view(frame), 3); }
 
-Case primaries(uint more_than_192) {  // tiles of 64 cells of three, so many of them of four
-  Pictured s = drawn({48, 32}, kRate2x2, [=](uint x, uint y) {
-    const uint cell = y % 16 / 2 * 8 + x % 16 / 2, i = y % 2 * 2 + x % 2;
-    return uvec2(i == 3 && cell >= more_than_192 ? 0 : i, 1);
-  });
-  return made(s);
-}
+Case primaries(uint more_than_192) { return made(vrcs::of_primaries({48, 32}, more_than_192)); }
 
 std::vector<HardCase> lists() {
   return {

@@ -4,34 +4,12 @@
 #include <cmath>
 
 #include "harness/crop.h"
-#include "harness/groups.h"
+#include "harness/vrcs_lists.h"
 #include "kernels/vrcs_remap/oracle.h"
 
 namespace assay::vrcs_remap {
 
-namespace {
-
 using vrcs::Pictured;
-using vrcs::Tile;
-
-void set_list(Case& c, const std::vector<Tile>& tiles, Pcg32& rng) {
-  std::vector<size_t> order(tiles.size());
-  for (size_t i = 0; i < order.size(); ++i) {
-    order[i] = i;
-    std::swap(order[i], order[rng.below(static_cast<uint32_t>(i + 1))]);
-  }
-  std::vector<uint> list;
-  for (const size_t t : order)
-    for (const vrcs::Primary& p : tiles[t].primaries)
-      list.push_back(p.x | p.y << kEntryCoordinateBits | p.copies << kEntryCopyShift);
-  const Groups groups = spread_groups((list.size() + kVrcsListGroup - 1) / kVrcsListGroup);
-  c.set_input("list_count", std::vector{static_cast<uint>(list.size())});
-  c.set_input("list_args", std::vector{DispatchArgs{groups.x, groups.y, 1}});
-  list.resize(pixels(c), kCopyBits << kEntryCopyShift);
-  c.set_input("list", list);
-}
-
-}  // namespace
 
 Case case_of(const vrcs::View& view, uint64_t seed) {
   Case c{.extent = view.extent};
@@ -39,19 +17,12 @@ Case case_of(const vrcs::View& view, uint64_t seed) {
   c.set_input("visibility", view.visibility);
   Pcg32 rng(seed);
   const auto coordinates = vrcs::coordinates_of(view);
-  const bool with_depth = rng.below(2) == 1;
-  std::vector<uint> words, entries(coordinates.tiles.size() * kVrcsTileEntries, 0xffffffffu);
-  for (size_t t = 0; t < coordinates.tiles.size(); ++t) {
-    const Tile& tile = coordinates.tiles[t];
-    words.push_back(tile.word);
-    if (!vrcs::is_stored(tile)) continue;
-    for (size_t i = 0; i < tile.primaries.size(); ++i)
-      entries[t * kVrcsTileEntries + i] =
-          vrcs::entry_of(tile.primaries[i]) | (with_depth ? rng.next() << kVrcsEntryDepthShift : 0);
-  }
-  c.set_input("tiles", words);
-  c.set_input("entries", entries);
-  set_list(c, coordinates.tiles, rng);
+  vrcs::Lists lists = vrcs::lists_of(coordinates);
+  if (rng.below(2) == 1)  // with depth
+    for (uint& entry : lists.entries) entry ^= rng.next() << kVrcsEntryDepthShift;
+  c.set_input("tiles", lists.tiles);
+  c.set_input("entries", lists.entries);
+  vrcs::set_screen_list(c, coordinates.tiles, rng);
   return c;
 }
 
@@ -59,10 +30,7 @@ Case hostile(Case c, const std::string& input, const std::function<void(std::vec
   auto params = c.params<RemapParams>();
   params.hostile = 1;
   c.set_params(params);
-  std::vector<uint> words(c.input<uint>(input).begin(), c.input<uint>(input).end());
-  change(words);
-  c.set_input(input, words);
-  return c;
+  return vrcs::changed(std::move(c), input, change);
 }
 
 Case typical(Extent e) { return case_of(vrcs::typical_screen(e).view(0), 1); }
