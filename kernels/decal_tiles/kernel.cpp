@@ -48,7 +48,7 @@ Variant variant(const std::string& name, std::function<Groups(const Case&)> grou
 std::vector<Variant> variants() {
   std::vector<Variant> all = {variant("hi_z", per_64_tiles, "a thread a tile: all cells between its depths' extremes"),
                               variant("per_pixel", per_tile, "a group a tile: the cells that its pixels are in")};
-  all[0].cost = cost_by_range;
+  all[1].cost = cost_by_pixel;
   return all;
 }
 
@@ -58,7 +58,7 @@ Kernel describe() {
   return {
       .name = "decal_tiles",
       .source = "Lazarek, Hammer 2025, Deferred Dispatches with Tile Classification; Coenen 2020, DOOM Eternal",
-      .default_variant = "per_pixel",
+      .default_variant = "hi_z",
       .params = layout_of<DecalTileParams>(),
       .ports = {only_in("per_pixel", reads_image("depth", Format::d32_float, {"visibility.depth"})),
                 only_in("hi_z", reads<vec2>("ranges", ranges, {"hi_z.ranges"})),
@@ -69,7 +69,7 @@ Kernel describe() {
       .oracle = listed_tiles,
       .inputs = inputs(),
       .mutants = mutants(),
-      .cost = cost_by_pixel,
+      .cost = cost_by_range,
       .typical = typical,
       .extents = {{640, 360}, {1920, 1080}, {3840, 2160}},
       .frame = in_frame,
