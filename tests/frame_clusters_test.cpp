@@ -52,8 +52,8 @@ TEST(FrameClusters, DecalsThroughClustersAreDecalsByBruteForce) {
     bare.goals = {"deferred_texturing.base_roughness"};
     EXPECT_NE(draw(s, bare).downloads.at(bare.goals[0]), all.downloads.at(colour)) << "no decal is seen";
     for (const std::string clusters : {"coarse", "fine"})
-      for (const std::string variant : {"gradient", "scalarised", "bitfield"}) {
-        o.clusters = clusters, o.variants["decal_atlas_sampling"] = variant;
+      for (const std::string variant : {"gradient", "scalarised", "bitfield", "tiles"}) {
+        o.clusters = clusters, o.variants = {{"decal_atlas_sampling", variant}, {"decal_tiles", "per_pixel"}};
         const Result some = draw(s, o);
         for (const std::string& port : {colour, normal})
           EXPECT_EQ(some.downloads.at(port), all.downloads.at(port)) << clusters << ", " << variant << ", " << port;

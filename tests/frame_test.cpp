@@ -238,6 +238,8 @@ TEST(Frame, RemovingDecalsRemovesTheirPassesAndBytes) {
       EXPECT_FALSE(mentions(running(bare), kernel)) << kernel;
     }
     EXPECT_EQ(mentions(running(bare), "cluster_voxelization"), clusters != "none");
+    EXPECT_EQ(mentions(running(full), "decal_tiles"), clusters != "none");
+    EXPECT_FALSE(mentions(running(bare), "decal_tiles"));
     for (const frame::ResourceNote& r : bare.resources) {
       const bool is_decals = r.name.find("decal") != std::string::npos || r.name.find("gradients") != std::string::npos;
       EXPECT_TRUE(!is_decals || r.bytes == 0) << r.name;

@@ -23,14 +23,18 @@ uint slice_of(ClusterGrid grid, float d) {
   return low;
 }
 
-// The grid has a column, a row and a slice at least.
-uint cell_of(ClusterGrid grid, uvec2 pixel, float d) {
+// The column and row of a pixel; beyond the grid's last, that. The grid has a column, a row and a slice at least.
+uvec2 column_row_of(ClusterGrid grid, uvec2 pixel) {
   const uvec2 size = max(uvec2(grid.cell_width, grid.cell_height), uvec2(1u));
 #ifdef MUTANT_9402  // columns of the rows' height
-  const uvec2 at = min(pixel / size.y, uvec2(grid.columns - 1u, grid.rows - 1u));
+  return min(pixel / size.y, uvec2(grid.columns - 1u, grid.rows - 1u));
 #else
-  const uvec2 at = min(pixel / size, uvec2(grid.columns - 1u, grid.rows - 1u));
+  return min(pixel / size, uvec2(grid.columns - 1u, grid.rows - 1u));
 #endif
+}
+
+uint cell_of(ClusterGrid grid, uvec2 pixel, float d) {
+  const uvec2 at = column_row_of(grid, pixel);
   return (slice_of(grid, d) * grid.rows + at.y) * grid.columns + at.x;
 }
 #endif

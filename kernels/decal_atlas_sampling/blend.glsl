@@ -25,10 +25,18 @@ Material load_material(uvec2 pixel) {
   return m;
 }
 
+// What is stored of a material, where it is touched.
+struct Texels {
+  uint base_roughness;
+  uint normal;
+  bvec2 touched;
+};
+
 // Rounded to nearest by hand: Vulkan leaves the conversion of a store a code's choice.
 uvec4 unorm8(vec4 v) { return uvec4(clamp(v, 0.0, 1.0) * 255.0 + 0.5); }
-void store_material(uvec2 pixel, Material m) {
-  if (m.touched.x || m.touched.z) {
+Texels texels_of(Material m) {
+  Texels t = Texels(m.base_bits, m.normal_bits, bvec2(m.touched.x || m.touched.z, m.touched.y));
+  if (t.touched.x) {
     const uvec4 code = unorm8(encode_base_roughness(m.base, m.roughness));
     uint bits = m.base_bits;
 #ifdef MUTANT_8  // roughness is lost where the base colour is written alone
@@ -37,13 +45,19 @@ void store_material(uvec2 pixel, Material m) {
     if (m.touched.x) bits = (bits & 0xff000000u) | code.r | code.g << 8 | code.b << 16;
 #endif
     if (m.touched.z) bits = (bits & 0xffffffu) | code.a << 24;
-    imageStore(base_roughness, ivec2(pixel), uvec4(bits));
+    t.base_roughness = bits;
   }
-  if (m.touched.y) {
+  if (t.touched.y) {
     const ivec2 code = ivec2(floor(encode_octahedral(m.normal) * 32767.0 + 0.5));
-    imageStore(normal, ivec2(pixel), uvec4(uint(code.x) & 0xffffu | uint(code.y) << 16));
+    t.normal = uint(code.x) & 0xffffu | uint(code.y) << 16;
   }
+  return t;
 }
+void store_texels(uvec2 pixel, Texels t) {
+  if (t.touched.x) imageStore(base_roughness, ivec2(pixel), uvec4(t.base_roughness));
+  if (t.touched.y) imageStore(normal, ivec2(pixel), uvec4(t.normal));
+}
+void store_material(uvec2 pixel, Material m) { store_texels(pixel, texels_of(m)); }
 
 // 0..1 and no NaN; a negative zero is 0.
 bool is_in_unit(float v) { return floatBitsToUint(v) <= 0x3f800000u || v == 0.0; }

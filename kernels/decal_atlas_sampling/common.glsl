@@ -3,6 +3,7 @@
 #define DECAL_ATLAS_SAMPLING_COMMON
 #include "harness/glsl/gbuffer.glsl"
 #include "kernels/decal_atlas_sampling/layout.h"
+#include "harness/glsl/decal_tiles.glsl"
 
 layout(binding = 0) uniform texture2D depth;
 layout(binding = 1) uniform texture2D depth_gradients;
@@ -26,12 +27,11 @@ struct Point {
 
 bool on_screen(uvec2 pixel) { return pixel.x < params.width && pixel.y < params.height; }
 
-// The depth of a pixel that has a surface on the screen, else 0; integers compare NaN too.
+// The depth of a pixel that has a surface on the screen, else 0.
 float depth_at(uvec2 pixel) {
   if (!on_screen(pixel)) return 0.0;
   const float d = texelFetch(depth, ivec2(pixel), 0).r;
-  const uint bits = floatBitsToUint(d);
-  return bits >= floatBitsToUint(kLeastDepth) && bits < 0x7f800000u ? d : 0.0;
+  return takes_decals(d) ? d : 0.0;
 }
 
 // depth_gradients holds the gradient over the depth itself, by which the view depth shrinks: dw/w = -dd/d.

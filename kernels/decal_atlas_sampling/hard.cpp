@@ -368,7 +368,7 @@ std::vector<HardCase> cell_cases() {
 
 std::vector<HardCase> hard_cases() {
   std::vector<HardCase> all;
-  for (auto& more : {size_cases(), box_cases(), filter_cases(), blend_cases(), cell_cases()})
+  for (auto& more : {size_cases(), box_cases(), filter_cases(), blend_cases(), cell_cases(), hard_cases_of_lists()})
     all.insert(all.end(), more.begin(), more.end());
   return all;
 }

@@ -1,6 +1,7 @@
 #include "kernels/decal_atlas_sampling/inputs.h"
 
 #include "harness/clusters.h"
+#include "harness/vrcs_screens.h"
 
 namespace assay::decal_atlas_sampling {
 
@@ -80,6 +81,36 @@ void roughen(View& v, Pcg32& rng) {
   }
 }
 
+// Triangles of a screen where it has some, and its rates.
+void set_rates(View& v, vrcs::Pictured s) {
+  for (uvec2& seen : s.visibility)
+    if (seen == uvec2(kVisibilityNone)) seen = {1u << 20, 0};
+  v.visibility = std::move(s.visibility), v.rates = std::move(s.rates);
+}
+
+// Tiles whatever they hold, in any order.
+std::vector<uint32_t> some_tiles(Random& r, Extent e, uint32_t one_in) {
+  std::vector<uint32_t> tiles;
+  for (uint32_t t = 0; t < tile_count(e, kDecalTileSide); ++t)
+    if (r.rng.below(one_in) == 0) tiles.push_back(t);
+  for (size_t i = tiles.size(); i > 1; --i) std::swap(tiles[i - 1], tiles[r.rng.below(static_cast<uint32_t>(i))]);
+  return tiles;
+}
+
+// Of a list that is nobody's: tiles that there are not, and more groups or tiles than there are.
+void spoil_tiles(Random& r, Case& c) {
+  const auto was = c.input<uint32_t>("decal_tiles");
+  std::vector<uint32_t> tiles(was.begin(), was.end());
+  for (uint32_t& t : tiles)
+    if (r.rng.below(4) == 0)
+      t = r.rng.below(2) == 0 ? t + static_cast<uint32_t>(tiles.size()) : ~(r.rng.next() & 0xffffu);
+  c.set_input("decal_tiles", tiles);
+  DispatchArgs args = c.input<DispatchArgs>("decal_tile_args")[0];
+  if (r.rng.below(2) == 0) args.x += r.rng.below(9), args.y += 1;
+  c.set_input("decal_tile_args", std::vector{args});
+  if (r.rng.below(2) == 0) c.set_input("decal_tile_count", std::vector{r.rng.next()});
+}
+
 }  // namespace
 
 Case random_case(Random& r) {
@@ -101,16 +132,23 @@ Case random_case(Random& r) {
   const double size = v.extent.width / std::sqrt(count + 1.0);
   for (uint32_t i = 0; i < count; ++i) add_decal(v, r.rng, size * std::exp2(r.rng.range(-3, 0)));
   if (r.branch({{"at_rest", 0.7}, {"moving", 0.3}}) != 0) put_on_receiver(v, r.rng);
+  v.params.frame = r.rng.next();
+  if (r.branch({{"full_rate", 0.4}, {"rates_vary", 0.6}}) != 0) set_rates(v, vrcs::random_screen(r, v.extent));
+  const size_t tiles = r.branch({{"tiles_with_decals", 0.5}, {"tiles_any", 0.35}, {"tiles_spoilt", 0.15}});
+  if (tiles != 0) v.tiles = some_tiles(r, v.extent, 1 + r.rng.below(3));
   Case c = v.to_case();
+  if (tiles == 2) spoil_tiles(r, c);
   c.name = "random";
   return c;
 }
 
 std::vector<std::string> branches() {
   std::vector<std::string> all = kExtentBranches;
-  for (const char* b : {"hall", "patches", "painted", "loud", "levels", "stripes", "no_border", "border", "no_decal",
-                        "one", "some", "many", "at_rest", "moving"})
+  for (const char* b :
+       {"hall", "patches", "painted", "loud", "levels", "stripes", "no_border", "border", "no_decal", "one", "some",
+        "many", "at_rest", "moving", "full_rate", "rates_vary", "tiles_with_decals", "tiles_any", "tiles_spoilt"})
     all.push_back(b);
+  all.insert(all.end(), vrcs::kScreenBranches.begin(), vrcs::kScreenBranches.end());
   return all;
 }
 
@@ -138,6 +176,7 @@ Case typical(Extent e) {
   v.atlas = {.width = 512, .height = 512, .side = 64, .levels = 5, .pages = 2, .border = 9};
   set_hall(v);
   for (uint32_t i = 0; i < 256; ++i) add_decal(v, rng, e.width / 14.0 * std::exp2(rng.range(-1.5, 0.5)));
+  v.rates = vrcs::rates_in_blocks(e, rng, 4);
   Case c = v.to_case();
   c.name = "typical";
   return c;

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "harness/oracle.h"
 #include "kernels/decal_atlas_sampling/layout.h"
 
@@ -13,6 +15,8 @@ Case typical(Extent);                    // 256 decals on floor and walls, one o
 ErrorTable error_table();
 
 // ---- For hard.cpp and errors.cpp, and tests
+
+std::vector<HardCase> hard_cases_of_lists();
 
 // Pages of decals side by side, each `side` texels square and aligned, `levels` of mips. Painted: discs that fade out;
 // loud: a decal one colour, far from its neighbours'; levels: a colour a level; stripes: eight texels wide, opaque.
@@ -35,6 +39,11 @@ struct View {
   std::vector<float> depth;
   std::vector<std::array<uint16_t, 2>> gradients;
   std::vector<uint32_t> base_roughness, normal;
+  // Of the lists: which triangle each pixel with a surface shows, the rates of cells of 2x2 pixels, and the tiles that
+  // are listed; where empty, squares of 24 pixels, 1x1, and those with a pixel in whose cell a decal is.
+  std::vector<uvec2> visibility = {};
+  std::vector<uint8_t> rates = {};
+  std::optional<std::vector<uint32_t>> tiles = {};
   std::vector<DecalRecord> decals = {};
   std::vector<ReceiverRecord> receivers = {};
   std::function<void(Case&)> last = {};  // what is done to the case when all is set
@@ -43,9 +52,13 @@ struct View {
   // Pixels of a rectangle on the plane through `at` with this unit normal; those where it is behind stay as they are.
   void set_plane(uint32_t x0, uint32_t y0, uint32_t x1, uint32_t y1, const glm::dvec3& at, const glm::dvec3& normal);
   glm::dvec3 position(uint32_t x, uint32_t y) const;
-  // Lists by the boxes' bounds on the screen and in depth.
+  // Lists of cells by the boxes' bounds on the screen and in depth. Duplicates have their primary's material.
   Case to_case() const;
 };
+
+// What lies behind the list are the other tiles, where nothing may happen.
+void set_decal_tiles(Case&, const std::vector<uint32_t>& listed);
+void set_primaries(Case&, const View&);
 
 // A decal of half extents `half` about `at`, `outward` towards z = 0 of the box, turned by `angle`; the atlas's
 // `cell`-th rectangle.

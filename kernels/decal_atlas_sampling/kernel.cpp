@@ -22,10 +22,17 @@ Groups per_pixel(const Case& c) {
   return {ceil_div(c.extent.width, 16), ceil_div(c.extent.height, 16), 1};
 }
 
+uint64_t tiles(const Case& c) { return tile_count(c.extent, kDecalTileSide); }
+uint64_t vrcs_entries(const Case& c) { return tiles(c) * kVrcsTileEntries; }
+uint64_t if_decals(const Case& c) { return c.params<DecalParams>().decals != 0; }
+
+const std::vector<std::string> kOverTiles = {"tiles", "tiles_primaries"};
 const std::vector<std::string> kByList = {
-    "gradient", "lod", "scalarised", "anisotropic_taps", "anisotropic_hardware", "block_compressed"};
-const std::vector<std::string> kOfTexels = {"gradient", "lod", "scalarised", "anisotropic_taps", "anisotropic_hardware",
-                                            "bitfield"};
+    "gradient",         "lod",   "scalarised",     "anisotropic_taps", "anisotropic_hardware",
+    "block_compressed", "tiles", "tiles_primaries"};
+const std::vector<std::string> kOfTexels = {
+    "gradient", "lod",   "scalarised",     "anisotropic_taps", "anisotropic_hardware",
+    "bitfield", "tiles", "tiles_primaries"};
 
 Port only_in(std::vector<std::string> variants, Port p) {
   p.only_in = std::move(variants);
@@ -55,6 +62,16 @@ Cost cost_with(const std::string& atlas, const Case& c) {
 
 Cost cost(const Case& c) { return cost_with("atlas", c); }
 Cost cost_of_blocks(const Case& c) { return cost_with("atlas_blocks", c); }
+Cost cost_of_tiles(const Case& c) {
+  Cost of = cost(c);
+  of.bytes_read += (tiles(c) + 1) * sizeof(uint) + sizeof(DispatchArgs);
+  return of;
+}
+Cost cost_of_primaries(const Case& c) {
+  Cost of = cost_of_tiles(c);
+  of.bytes_read += (tiles(c) + vrcs_entries(c)) * sizeof(uint);
+  return of;
+}
 
 Bound channel_bound(const std::string& port, Unpack unpack, const std::string& prefix, std::string reason) {
   Bound b = between({port}, std::move(reason));
@@ -68,6 +85,13 @@ std::vector<Bound> bounds(const std::string& prefix) {
 
 Variant variant(const std::string& name, const std::string& note, const std::string& answer = "") {
   return {.name = name, .passes = {Dispatch{name + ".comp", per_pixel}}, .bounds = bounds(answer), .note = note};
+}
+Variant over_tiles(const std::string& name, const std::string& note, const std::string& answer,
+                   std::function<Cost(const Case&)> cost) {
+  Variant v = variant(name, note, answer);
+  v.passes = {Dispatch{.shader = name + ".comp", .indirect = "decal_tile_args", .repeat = if_decals}};
+  v.cost = std::move(cost);
+  return v;
 }
 std::vector<Variant> variants() {
   Variant scalarised = variant("scalarised", "a wave walks the union of its cells' lists, a decal at a time");
@@ -87,6 +111,9 @@ std::vector<Variant> variants() {
           std::move(scalarised),
           variant("bitfield", "the cell's decals as bits", kBits),
           std::move(blocks),
+          over_tiles("tiles", "as gradient; on the tiles that have decals", kTiles, cost_of_tiles),
+          over_tiles("tiles_primaries", "as tiles; primaries, whose copies get what they come out as", kPrimaries,
+                     cost_of_primaries),
           hardware};
 }
 
@@ -106,6 +133,17 @@ std::vector<Mutant> mutants() {
           {"walk.glsl", 15, "the last decal of a list comes first", "order"},
           {"scalarised.comp", 16, "all of the wave take each decal", "cells_apart"},
           {"bitfield.comp", 17, "the highest bit first", "order"},
+          {"listed.glsl", 18, "groups left over work on what lies behind the list", "groups_left_over"},
+          {"listed.glsl", 19, "tiles that there are not stand for others", "tile_number_wraps"},
+          {"tiles.comp", 20, "tiles as far apart as those of 32 pixels", "one_tile_of_nine"},
+          {"tiles_primaries.comp", 21, "normals are not stored", "all_2x2"},
+          {"tiles_primaries.comp", 22, "the place in the list taken for the tile", "one_tile_of_nine"},
+          {"tiles_primaries.comp", 23, "tiles that are shaded whole are left out", "primaries_225"},
+          {"tiles_primaries.comp", 24, "nothing is copied", "all_2x2"},
+          {"harness/glsl/vrcs.glsl", 9602, "the longest list is not taken", "primaries_224"},
+          {"harness/glsl/vrcs.glsl", 9603, "one lane too many", "primaries_224"},
+          {"harness/glsl/vrcs.glsl", 9604, "the upper left one in every frame", "all_2x2_odd_frame"},
+          {"harness/glsl/vrcs.glsl", 9606, "the diagonal is forgotten", "all_2x2"},
           {"harness/glsl/clusters.glsl", 9401, "a depth on a boundary is in the slice before", "on_a_slice"},
           {"harness/glsl/clusters.glsl", 9402, "columns as wide as rows are high", "cells_apart"},
           {"harness/glsl/gbuffer.glsl", 9301, "normals of the lower half are not folded", "normal_turned_away"},
@@ -117,7 +155,8 @@ std::vector<Mutant> mutants() {
 Case in_frame(const FrameInputs& f) {
   Case c = {.name = "frame", .extent = f.extent};
   c.set_params(DecalParams{f.extent.width, f.extent.height, f.grid, f.decals.decals, list_capacity(f.grid),
-                           f.decals.receivers, f.near_plane, static_cast<float>(f.decals.atlas_border), f.rays});
+                           f.decals.receivers, f.near_plane, static_cast<float>(f.decals.atlas_border), f.rays,
+                           f.frame});
   return c;
 }
 
@@ -127,7 +166,7 @@ Kernel describe() {
   return {
       .name = "decal_atlas_sampling",
       .source = "Sousa, Geffroy 2016, Box Projected Decals; Pettineo 2016, Decals",
-      .default_variant = "gradient",
+      .default_variant = "tiles",
       .params = layout_of<DecalParams>(),
       .ports = {reads_image("depth", Format::d32_float, {"visibility.depth"}),
                 reads_image("depth_gradients", Format::rg16_float, {"depth_gradients.gradients"}),
@@ -138,6 +177,11 @@ Kernel describe() {
                 only_in(kByList, reads<uvec2>("cells", cells, {"cluster_lists.cells"})),
                 only_in(kByList, reads<uint>("entries", counted(&DecalParams::entries), {"cluster_lists.entries"})),
                 only_in({"bitfield"}, reads<uint>("decal_bits", bit_words, {"cluster_voxelization.decal_bits"})),
+                only_in(kOverTiles, reads<uint>("decal_tiles", tiles, {"decal_tiles.tiles"})),
+                only_in(kOverTiles, reads<uint>("decal_tile_count", fixed(1), {"decal_tiles.count"})),
+                only_in(kOverTiles, reads<DispatchArgs>("decal_tile_args", fixed(1), {"decal_tiles.args"})),
+                only_in({"tiles_primaries"}, reads<uint>("vrcs_tiles", tiles, {"vrcs_coordinates.tiles"})),
+                only_in({"tiles_primaries"}, reads<uint>("vrcs_entries", vrcs_entries, {"vrcs_coordinates.entries"})),
                 only_in(kOfTexels, reads_textures("atlas", kAtlasTextures, {"scene.decal_atlas"})),
                 only_in({"block_compressed"}, reads_textures("atlas_blocks", kAtlasTextures))},
       .variants = variants(),

@@ -4,7 +4,9 @@
 #include "harness/formats/cluster_lists.h"
 #include "harness/formats/clusters.h"
 #include "harness/formats/decal.h"
+#include "harness/formats/decal_tiles.h"
 #include "harness/formats/light.h"
+#include "harness/formats/scene.h"
 #include "harness/shared.h"
 SHARED_BEGIN(decal_atlas_sampling)
 
@@ -18,9 +20,9 @@ struct DecalParams {
   float near_plane;    // metres
   float atlas_border;  // texels of the first level around each rectangle that hold what it holds at its sides
   ViewRays rays;
+  uint frame;  // that the lists of primaries were made with
 };
 
-SHARED_CONST float kLeastDepth = 1e-18f;         // of reversed depth: what is less, or no number, is no surface
 SHARED_CONST float kLargestGradient = 65536.0f;  // of UV, a pixel: beyond it, or no number, this much
 SHARED_CONST uint kAnisotropicTaps = 4u;
 // A device's rho is at most sqrt(2) times the sum of both derivatives (Vulkan, Scale Factor Operation), and its level
@@ -33,7 +35,7 @@ SHARED_CONST float kLeastNormal = 1e-6f;
 SHARED_CONST float kLargestNormal = 1e12f;
 
 #ifdef __cplusplus
-SHARED_LAYOUT(DecalParams, width, height, grid, decals, entries, receivers, near_plane, atlas_border, rays);
+SHARED_LAYOUT(DecalParams, width, height, grid, decals, entries, receivers, near_plane, atlas_border, rays, frame);
 #endif
 SHARED_END
 #endif

@@ -1,10 +1,12 @@
 #include "kernels/decal_atlas_sampling/oracle.h"
 
 #include <cmath>
+#include <unordered_map>
 
 #include "harness/half.h"
 #include "harness/judged.h"
 #include "kernels/decal_atlas_sampling/material.h"
+#include "kernels/decal_atlas_sampling/sources.h"
 
 namespace assay::decal_atlas_sampling {
 
@@ -103,7 +105,7 @@ SurfacePoint point_at(const Inputs& in, uint64_t pixel) {
   return p;
 }
 
-bool has_surface(float depth) { return depth >= kLeastDepth && std::isfinite(depth); }
+bool has_surface(float depth) { return depth >= kLeastDecalDepth && std::isfinite(depth); }
 
 // Depths are compared with the boundaries of slices as they are.
 uint32_t cell_of(const Inputs& in, uint64_t pixel) {
@@ -210,9 +212,43 @@ struct Answers {
 Unpack unpack_base_roughness() { return unpack(base_roughness_of); }
 Unpack unpack_normal() { return unpack(normal_of); }
 
+namespace {
+
+// By list, each pixel worked out once: copies ask for their primary's.
+class ByList {
+ public:
+  explicit ByList(const Inputs& in) : in_(in) {}
+  const BlendedMaterial& at(uint64_t pixel) {
+    const auto [it, is_new] = known_.try_emplace(pixel);
+    if (is_new) it->second = blended(in_, pixel, point_at(in_, pixel), listed(in_, cell_of(in_, pixel)), in_.atlas);
+    return it->second;
+  }
+
+ private:
+  const Inputs& in_;
+  std::unordered_map<uint64_t, BlendedMaterial> known_;
+};
+
+void add_by_sources(Answer& to, const Case& c, const Inputs& in, ByList& by_list, const std::vector<uint64_t>& judged,
+                    const std::vector<uint32_t>& sources, const std::string& prefix) {
+  Answers a;
+  for_each_judged(c, judged, [&](uint64_t pixel) {
+    const uint32_t source = sources[pixel];
+    if (source == kNobody || !has_surface(in.depth[source]))
+      a.untouched(in.base_roughness[pixel], in.normal[pixel]);
+    else
+      a.add(by_list.at(source), in.normal[source]);
+    a.end_pixel();
+  });
+  a.put(to, prefix, judged);
+}
+
+}  // namespace
+
 Answer decaled(const Case& c) {
   const Inputs in = inputs_of(c);
   const std::vector<uint64_t> judged = judged_pixels(c, kSampledAbove);
+  ByList by_list(in);
   Answers lists, taps, bits, blocks;
   for_each_judged(c, judged, [&](uint64_t pixel) {
     const uint32_t normal = in.normal[pixel];
@@ -223,7 +259,7 @@ Answer decaled(const Case& c) {
     const SurfacePoint p = point_at(in, pixel);
     const uint32_t cell = cell_of(in, pixel);
     const std::vector<uint32_t> from_list = listed(in, cell), from_bits = marked(in, cell);
-    const BlendedMaterial m = blended(in, pixel, p, from_list, in.atlas);
+    const BlendedMaterial& m = by_list.at(pixel);
     lists.add(m, normal);
     taps.add(blended(in, pixel, p, from_list, in.atlas, Filtering::taps), normal);
     bits.add(from_bits == from_list ? m : blended(in, pixel, p, from_bits, in.atlas), normal);
@@ -233,6 +269,8 @@ Answer decaled(const Case& c) {
   Answer answer;
   lists.put(answer, "", judged), taps.put(answer, kTaps, judged), bits.put(answer, kBits, judged);
   blocks.put(answer, kBlocks, judged);
+  add_by_sources(answer, c, in, by_list, judged, sources_by_tiles(c), kTiles);
+  add_by_sources(answer, c, in, by_list, judged, sources_by_primaries(c), kPrimaries);
   return answer;
 }
 

@@ -185,6 +185,7 @@ Case View::to_case() const {
   c.set_input("decal_bits", bits);
   set_atlas(c, atlas_of(atlas));
   if (last) last(c);
+  set_primaries(c, *this);
   return c;
 }
 
