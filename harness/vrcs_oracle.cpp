@@ -136,4 +136,15 @@ Coordinates coordinates_of(const View& view, const Sharing& sharing) {
   return c;
 }
 
+Lists lists_of(const Coordinates& coordinates) {
+  Lists lists;
+  for (const Tile& tile : coordinates.tiles) {
+    lists.tiles.push_back(tile.word);
+    if (is_stored(tile))
+      for (const Primary& p : tile.primaries) lists.entries.push_back(entry_of(p));
+    lists.entries.resize(lists.tiles.size() * kVrcsTileEntries, 0xffffffffu);
+  }
+  return lists;
+}
+
 }  // namespace assay::vrcs

@@ -46,4 +46,10 @@ Coordinates coordinates_of(const View&, const Sharing& = {});
 bool is_stored(const Tile&);  // its primaries are entries
 uint entry_of(const Primary&);
 
+// As buffers: a word and room for kVrcsTileEntries a tile. What lies past a list's end may be anything: here all ones.
+struct Lists {
+  std::vector<uint> tiles, entries;
+};
+Lists lists_of(const Coordinates&);
+
 }  // namespace assay::vrcs

@@ -30,7 +30,7 @@ HardCase listed(const char* name, const char* why, std::function<Picture()> make
                 std::function<void(const Picture&, Lists&)> change) {
   return {name, why, [make = std::move(make), change = std::move(change)] {
             const Picture p = make();
-            Lists lists = lists_of(p.extent, p.visibility, p.rates, p.frame);
+            Lists lists = lists_of(p);
             change(p, lists);
             return case_of(p, lists);
           }};

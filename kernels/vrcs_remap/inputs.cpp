@@ -39,18 +39,11 @@ Case case_of(const vrcs::View& view, uint64_t seed) {
   c.set_input("visibility", view.visibility);
   Pcg32 rng(seed);
   const auto coordinates = vrcs::coordinates_of(view);
-  const bool with_depth = rng.below(2) == 1;
-  std::vector<uint> words, entries(coordinates.tiles.size() * kVrcsTileEntries, 0xffffffffu);
-  for (size_t t = 0; t < coordinates.tiles.size(); ++t) {
-    const Tile& tile = coordinates.tiles[t];
-    words.push_back(tile.word);
-    if (!vrcs::is_stored(tile)) continue;
-    for (size_t i = 0; i < tile.primaries.size(); ++i)
-      entries[t * kVrcsTileEntries + i] =
-          vrcs::entry_of(tile.primaries[i]) | (with_depth ? rng.next() << kVrcsEntryDepthShift : 0);
-  }
-  c.set_input("tiles", words);
-  c.set_input("entries", entries);
+  vrcs::Lists lists = vrcs::lists_of(coordinates);
+  if (rng.below(2) == 1)  // with depth
+    for (uint& entry : lists.entries) entry ^= rng.next() << kVrcsEntryDepthShift;
+  c.set_input("tiles", lists.tiles);
+  c.set_input("entries", lists.entries);
   set_list(c, coordinates.tiles, rng);
   return c;
 }
