@@ -1,7 +1,7 @@
 // The deblocker. The includer says where radiance is read and stored, and which neighbours belong to a pixel:
 //   uvec2 texel_at(ivec2 pixel); bool belongs(ivec2 pixel, ivec2 neighbour);
 //   void store_texel(ivec2 pixel, uvec2 texel, bool changed);
-// Loop turns of an invocation: 4 entries, 4 pixels and 2 sides each.
+// Loop turns of an invocation: 4 entries, 4 pixels twice, of these 4 with 2 sides each.
 #include "kernels/vrcs_deblock/duplicates.glsl"
 #include "kernels/vrcs_deblock/halves.glsl"
 #include "kernels/vrcs_deblock/luma.glsl"
@@ -39,11 +39,9 @@ uvec2 deblocked(ivec2 pixel, uint kind, uvec2 copy) {
   return pairs == 0.0 ? copy : with_colour(copy, sum * (pairs == 1.0 ? 0.5 : 0.25));
 }
 
-void deblock_pixel(ivec2 pixel, uint kind) {
+void store(ivec2 pixel, uvec2 copy, uvec2 texel, bool changed) {
   if (pixel.x >= int(params.width) || pixel.y >= int(params.height)) return;
-  const uvec2 copy = texel_at(pixel);
-  const uvec2 texel = kind == 0u ? copy : deblocked(pixel, kind, copy);
-  store_texel(pixel, texel, kind != 0u);
+  store_texel(pixel, texel, changed);
 #ifdef MUTANT_13  // the copy's luma
   store_luma(pixel, copy);
 #else
@@ -51,9 +49,25 @@ void deblock_pixel(ivec2 pixel, uint kind) {
 #endif
 }
 
+// Duplicates one after the other, so that a cell takes as many turns as it has, and then all is stored.
 void main() {
   const uint cell = gl_LocalInvocationIndex;
   const uint marked = marks_of_cell(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, cell);
   const ivec2 first = ivec2(gl_WorkGroupID.xy * kVrcsTileSide + uvec2(cell % 8u, cell / 8u) * kCellSide);
-  for (uint i = 0u; i < 4u; ++i) deblock_pixel(first + ivec2(i & 1u, i >> 1), kind_of(marked, i));
+  const ivec2 last = ivec2(params.width, params.height) - 1;
+  uvec2 copies[4], texels[4];
+  uint changed = 0u;  // a bit a pixel
+  for (uint i = 0u; i < 4u; ++i) {
+    const ivec2 pixel = first + ivec2(i & 1u, i >> 1);
+    copies[i] = texels[i] = texel_at(min(pixel, last));
+    if (kind_of(marked, i) != 0u && on_screen(pixel)) changed |= 1u << i;
+  }
+  for (uint left = changed; left != 0u; left &= left - 1u) {
+    const uint i = findLSB(left);
+    const uvec2 copy = i < 2u ? (i == 0u ? copies[0] : copies[1]) : (i == 2u ? copies[2] : copies[3]);
+    const uvec2 texel = deblocked(first + ivec2(i & 1u, i >> 1), kind_of(marked, i), copy);
+    for (uint k = 0u; k < 4u; ++k) texels[k] = k == i ? texel : texels[k];
+  }
+  for (uint i = 0u; i < 4u; ++i)
+    store(first + ivec2(i & 1u, i >> 1), copies[i], texels[i], (changed >> i & 1u) != 0u);
 }
