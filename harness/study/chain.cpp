@@ -145,9 +145,9 @@ void set_luma(Chain& c, double right, double down) {
 }
 
 Shaded shade(Chain& c, const Choice& choice) {
-  const std::vector<uint32_t> from = sources(c, choice);
-  Shaded s = {.saved = share_copied(from), .copied = {}, .deblocked = {}};
-  for (const uint32_t place : from) s.copied.push_back(c.picture.radiance[place]);
+  Shaded s = {.from = sources(c, choice), .copied = {}, .deblocked = {}};
+  s.saved = share_copied(s.from);
+  for (const uint32_t place : s.from) s.copied.push_back(c.picture.radiance[place]);
   write(c, c.deblock.ports.at("radiance"), s.copied);
   device::run(*c.device, c.deblock.commands.at("ping_pong"));
   s.deblocked = read<Texel>(c, c.deblock.ports.at("deblocked_radiance"));

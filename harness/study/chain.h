@@ -38,7 +38,8 @@ Chain make_chain(device::Device&, Picture);
 void set_luma(Chain&, double right, double down);
 
 struct Shaded {
-  double saved = 0;  // share of pixels that are copies
+  double saved = 0;                 // share of pixels that are copies
+  std::vector<uint32_t> from = {};  // whose colour each pixel has, by its place
   std::vector<Texel> copied, deblocked;
 };
 Shaded shade(Chain&, const Choice&);

@@ -32,11 +32,41 @@ image::Pixels pixels_of(const Shown& shown, Extent size, const std::vector<Texel
   return linear_of(codes);
 }
 
-double mean_square(const Shown& shown, const std::vector<Texel>& a, const std::vector<Texel>& b) {
-  double sum = 0;
-  for (size_t i = 0; i < a.size(); ++i)
+template <class Counts>
+double mean_square(const Shown& shown, const std::vector<Texel>& a, const std::vector<Texel>& b, const Counts& counts) {
+  double sum = 0, counted = 0;
+  for (size_t i = 0; i < a.size(); ++i) {
+    if (!counts(i)) continue;
+    counted += 3;
     for (size_t channel = 0; channel < 3; ++channel) sum += std::pow(shown[a[i][channel]] - shown[b[i][channel]], 2);
-  return sum / (3.0 * static_cast<double>(a.size()));
+  }
+  return sum / counted;
+}
+double mean_square(const Shown& shown, const std::vector<Texel>& a, const std::vector<Texel>& b) {
+  return mean_square(shown, a, b, [](size_t) { return true; });
+}
+
+// The deblocker's means, of displayed values: a duplicate is the mean of the neighbours on the axes along which it was
+// copied. At the picture's sides it stays a copy.
+double mean_square_of_shown(const Shown& shown, const Picture& p, const Shaded& s) {
+  const auto width = static_cast<size_t>(p.size.width), height = static_cast<size_t>(p.size.height);
+  double sum = 0;
+  for (size_t i = 0; i < s.from.size(); ++i) {
+    const size_t x = i % width, y = i / width;
+    const bool across = s.from[i] % width != x, down = s.from[i] / width != y;
+    const bool at_side = (across && (x == 0 || x + 1 == width)) || (down && (y == 0 || y + 1 == height));
+    const size_t side = (across ? 1 : 0) + (down ? width : 0), other = (across ? 1 : 0) - (down ? width : 0);
+    for (size_t channel = 0; channel < 3; ++channel) {
+      const auto value = [&](size_t at) { return shown[s.copied[at][channel]]; };
+      double mean = value(i);
+      if (!at_side && across && down)
+        mean = (value(i - side) + value(i + side) + value(i - other) + value(i + other)) / 4;
+      else if (!at_side && (across || down))
+        mean = (value(i - side) + value(i + side)) / 2;
+      sum += std::pow(mean - shown[p.radiance[i][channel]], 2);
+    }
+  }
+  return sum / (3.0 * static_cast<double>(s.from.size()));
 }
 
 // Against the picture that the chain was made of.
@@ -75,6 +105,16 @@ std::vector<std::string> named_or_all(const std::vector<std::string>& estimators
   std::vector<std::string> all;
   for (const Variant& v : kernel_named("vrcs_shading_rate").variants) all.push_back(v.name);
   return all;
+}
+
+// The constant tolerance that saves half, as near as 14 bisections get: saving grows with it.
+Choice halving(Chain& chain, const std::string& estimator) {
+  double low = 1e-4, high = 1;
+  for (int i = 0; i < 14; ++i) {
+    const double middle = std::sqrt(low * high);
+    (saved(chain, {estimator, static_cast<float>(middle)}) < 0.5 ? low : high) = middle;
+  }
+  return {estimator, static_cast<float>(high)};
 }
 
 auto key_of(const Choice& c) { return std::tie(c.estimator, c.tolerance, c.weber, c.extra_half); }
@@ -155,20 +195,25 @@ std::optional<Choice> best_of(const std::vector<Row>& rows) {
 
 std::vector<Halved> at_half(device::Device& d, const Picture& p, const std::vector<std::string>& estimators) {
   Chain chain = make_chain(d, p);
-  const Judge judge = judge_of(p);
+  const Shown shown = shown_at(p.exposure);
   std::vector<Halved> all;
-  for (size_t motion = 0; motion < std::size(kMotions); ++motion) {
-    set_luma(chain, kMotions[motion].right, kMotions[motion].down);
+  for (size_t motion = 0; motion < std::size(kMotions); ++motion)
     for (const std::string& name : named_or_all(estimators)) {
-      double low = 1e-4, high = 1;  // saving grows with the tolerance
-      for (int i = 0; i < 14; ++i) {
-        const double middle = std::sqrt(low * high);
-        (saved(chain, {name, static_cast<float>(middle)}) < 0.5 ? low : high) = middle;
-      }
-      const Choice choice = {name, static_cast<float>(high)};
-      all.push_back({choice, motion, judged(judge, p, shade(chain, choice))});
+      set_luma(chain, kMotions[motion].right, kMotions[motion].down);
+      const Choice choice = halving(chain, name);
+      const Shaded s = shade(chain, choice);
+      set_luma(chain, 0, 0);
+      const std::vector<uint32_t> own = shade(chain, choice).from;
+      const auto alike = [&](size_t i) { return own[i] == s.from[i]; };
+      all.push_back({.choice = choice,
+                     .motion = motion,
+                     .saved = s.saved,
+                     .square_copied = mean_square(shown, p.radiance, s.copied),
+                     .square_deblocked = mean_square(shown, p.radiance, s.deblocked),
+                     .square_of_shown = mean_square_of_shown(shown, p, s),
+                     .own_copied = mean_square(shown, p.radiance, s.copied, alike),
+                     .own_deblocked = mean_square(shown, p.radiance, s.deblocked, alike)});
     }
-  }
   return all;
 }
 

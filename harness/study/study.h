@@ -58,7 +58,10 @@ std::optional<Choice> best_of(const std::vector<Row>&);
 struct Halved {
   Choice choice;
   size_t motion = 0;
-  Errors errors;
+  double saved = 0, square_copied = 0, square_deblocked = 0;
+  double square_of_shown = 0;  // if the deblocker took means of what is displayed, not of radiance
+  // Over the pixels alone that would be shared alike at that tolerance if the luma had not moved.
+  double own_copied = 0, own_deblocked = 0;
 };
 std::vector<Halved> at_half(device::Device&, const Picture&, const std::vector<std::string>& estimators);
 

@@ -23,8 +23,8 @@ double mean_saved(const Row& row) {
 Json to_json(const Choice& c) {
   return {{"estimator", c.estimator}, {"tolerance", c.tolerance}, {"weber", c.weber}, {"extra_half", c.extra_half}};
 }
+Json finite(double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); }
 Json to_json(const Errors& e) {
-  const auto finite = [](double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); };
   return {{"saved", e.saved},
           {"flip_copied", e.flip_copied},
           {"flip_deblocked", e.flip_deblocked},
@@ -67,12 +67,15 @@ report::Table table_of(const std::vector<Halved>& all) {
                               {"saved", Align::right},
                               {"dB copied", Align::right},
                               {"deblocked", Align::right},
-                              {"gained", Align::right}}};
+                              {"gained", Align::right},
+                              {"by means of what is shown", Align::right},
+                              {"where luma that did not move shares alike", Align::right}}};
   for (const Halved& h : all)
     t.rows.push_back({kMotions[h.motion].name, h.choice.estimator, fmt::format("{:.4f}", h.choice.tolerance),
-                      report::percent_text(h.errors.saved), decibel_text(h.errors.square_copied),
-                      decibel_text(h.errors.square_deblocked),
-                      fmt::format("{:.1f}", decibels(h.errors.square_deblocked) - decibels(h.errors.square_copied))});
+                      report::percent_text(h.saved), decibel_text(h.square_copied), decibel_text(h.square_deblocked),
+                      fmt::format("{:.1f}", decibels(h.square_deblocked) - decibels(h.square_copied)),
+                      fmt::format("{:.1f}", decibels(h.square_of_shown) - decibels(h.square_copied)),
+                      fmt::format("{:.1f}", decibels(h.own_deblocked) - decibels(h.own_copied))});
   return t;
 }
 
@@ -88,7 +91,14 @@ Json to_json(const std::vector<Outcome>& outcomes) {
 Json to_json(const std::vector<Halved>& halved) {
   Json all = Json::array();
   for (const Halved& h : halved)
-    all.push_back(merged({{{"luma", kMotions[h.motion].name}}, to_json(h.choice), to_json(h.errors)}));
+    all.push_back(merged({{{"luma", kMotions[h.motion].name}},
+                          to_json(h.choice),
+                          {{"saved", h.saved},
+                           {"psnr_copied_db", finite(decibels(h.square_copied))},
+                           {"psnr_deblocked_db", finite(decibels(h.square_deblocked))},
+                           {"psnr_deblocked_as_shown_db", finite(decibels(h.square_of_shown))},
+                           {"psnr_copied_alike_db", finite(decibels(h.own_copied))},
+                           {"psnr_deblocked_alike_db", finite(decibels(h.own_deblocked))}}}));
   return all;
 }
 
