@@ -41,14 +41,19 @@ std::vector<uint32_t> bucket_codes(const std::vector<float>& thresholds) {
   return codes;
 }
 
-// Narkowicz 2015, then IEC 61966-2-1, then the nearest code.
-uint32_t code_of(double radiance, float exposure) {
+// Narkowicz 2015, then IEC 61966-2-1.
+double displayed(double radiance, float exposure) {
   const double x = static_cast<float>(radiance * double{exposure});  // the one rounding of the shader
   if (!(x > 0)) return 0;
-  if (x > 1e9) return 255;
+  if (x > 1e9) return 1;
   const double curve = std::min(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 1.0);
-  const double encoded = curve <= 0.0031308 ? 12.92 * curve : 1.055 * std::pow(curve, 1 / 2.4) - 0.055;
-  return static_cast<uint32_t>(std::floor(255 * encoded + 0.5));
+  return curve <= 0.0031308 ? 12.92 * curve : 1.055 * std::pow(curve, 1 / 2.4) - 0.055;
 }
+
+uint32_t code_of(double radiance, float exposure) {
+  return static_cast<uint32_t>(std::floor(255 * displayed(radiance, exposure) + 0.5));
+}
+
+double radiance_of(double shown) { return exposed_from(decoded(shown)); }
 
 }  // namespace assay

@@ -13,7 +13,10 @@ std::vector<float> code_thresholds();
 // Of each bucket of formats/exposure.h, the code of its least float.
 std::vector<uint32_t> bucket_codes(const std::vector<float>& thresholds);
 
-// The code of radiance, whose product with the exposure a shader rounds; NaN is 0. Computed in double.
+// What radiance is shown as, 0 to 1 and before it is rounded to a code, and its code. A shader rounds its product with
+// the exposure; NaN is 0. Computed in double.
+double displayed(double radiance, float exposure);
 uint32_t code_of(double radiance, float exposure);
+double radiance_of(double displayed);  // at an exposure of 1; from 0 to 1
 
 }  // namespace assay

@@ -112,6 +112,8 @@ TEST(Cli, WrongFlagsAndNamesAreOneLine) {
       {"mutate no_such_kernel", "no_such_kernel"},
       {"bench {kernel} --size 0x4", "0x4"},
       {"bench {kernel} --size 64", "64"},
+      {"bench vrcs --only nonsense", "nonsense"},
+      {"bench vrcs --estimator sobel_9", "no variant 'sobel_9'; did you mean"},
       {"bench {kernel} --size 64x64x64", "64x64x64"},
       {"bench {kernel} --samples 0", "samples"},
       {"bench {kernel} --case no_such_case", "no case 'no_such_case'; did you mean"},

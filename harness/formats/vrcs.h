@@ -13,6 +13,10 @@ SHARED_CONST uint kRate2x1 = 4u;
 SHARED_CONST uint kRate2x2 = 5u;
 SHARED_CONST uint kCellSide = 2u;
 
+// How rates are chosen.
+SHARED_CONST uint kAllFull = 1u;  // 1x1 everywhere, for want of a picture before (first frame, cut, new size)
+SHARED_CONST uint kWeber = 2u;    // the error that passes grows with the mean, else it is the same everywhere
+
 // Luma, rg8_unorm, after exposure and tone map, as displayed: red of opaque surfaces, green after blended ones.
 
 // Tiles of 16x16 pixels, in rows; a list of primaries each, in the order of lanes: cell after cell in rows, of a cell

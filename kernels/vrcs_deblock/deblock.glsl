@@ -1,18 +1,10 @@
 // The deblocker. The includer says where radiance is read and stored, and which neighbours belong to a pixel:
 //   uvec2 texel_at(ivec2 pixel); bool belongs(ivec2 pixel, ivec2 neighbour);
 //   void store_texel(ivec2 pixel, uvec2 texel, bool changed);
-// Loop turns of an invocation: at most 765, in the tone curve.
+// Loop turns of an invocation: 4 entries, 4 pixels twice, of these 4 with 2 sides each.
 #include "kernels/vrcs_deblock/duplicates.glsl"
 #include "kernels/vrcs_deblock/halves.glsl"
-
-READS(2, ExposureRecord, exposure);
-READS(3, float, thresholds);
-READS(4, uint, first_codes);
-layout(binding = 5, rg8) uniform writeonly restrict image2D luma;
-
-#define TONE_THRESHOLDS thresholds
-#define TONE_FIRST_CODES first_codes
-#include "harness/glsl/tone_curve.glsl"
+#include "kernels/vrcs_deblock/luma.glsl"
 
 uvec2 texel_at(ivec2 pixel);
 bool belongs(ivec2 pixel, ivec2 neighbour);
@@ -37,35 +29,45 @@ uvec2 deblocked(ivec2 pixel, uint kind, uvec2 copy) {
   if (!is_finite(copy)) return copy;
   vec3 sum = vec3(0.0);
   float pairs = 0.0;
-  add_pair(pixel, ivec2(kind != kCopyVertical, kind != kCopyHorizontal), sum, pairs);
-#ifndef MUTANT_11  // one diagonal of the two
-  if (kind == kCopyDiagonal) add_pair(pixel, ivec2(1, -1), sum, pairs);
+  ivec2 side = ivec2(kind != kCopyVertical, kind != kCopyHorizontal);
+#ifdef MUTANT_11  // one diagonal of the two
+  const uint sides = 1u;
+#else
+  const uint sides = kind == kCopyDiagonal ? 2u : 1u;
 #endif
+  for (uint i = 0u; i < sides; ++i, side.y = -side.y) add_pair(pixel, side, sum, pairs);
   return pairs == 0.0 ? copy : with_colour(copy, sum * (pairs == 1.0 ? 0.5 : 0.25));
 }
 
-float luma_of(uvec2 texel) {
-  const vec3 exposed = colour_of(texel) * exposure[0].exposure;
-  const uvec3 codes = uvec3(code_of(exposed.r), code_of(exposed.g), code_of(exposed.b));
-#ifdef MUTANT_12  // red and blue swapped
-  const uint sum = kLumaBlue * codes.r + kLumaGreen * codes.g + kLumaRed * codes.b;
+void store(ivec2 pixel, uvec2 copy, uvec2 texel, bool changed) {
+  if (pixel.x >= int(params.width) || pixel.y >= int(params.height)) return;
+  store_texel(pixel, texel, changed);
+#ifdef MUTANT_13  // the copy's luma
+  store_luma(pixel, copy);
 #else
-  const uint sum = kLumaRed * codes.r + kLumaGreen * codes.g + kLumaBlue * codes.b;
+  store_luma(pixel, texel);
 #endif
-  return float(sum + 0x8000u >> 16) / 255.0;
 }
 
+// Duplicates one after the other, so that a cell takes as many turns as it has, and then all is stored.
 void main() {
-  const uint i = gl_LocalInvocationIndex;
-  const uint kind = kind_of(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, i);
-  const ivec2 pixel = ivec2(gl_WorkGroupID.xy * kVrcsTileSide + uvec2(i % kVrcsTileSide, i / kVrcsTileSide));
-  if (pixel.x >= int(params.width) || pixel.y >= int(params.height)) return;
-  const uvec2 copy = texel_at(pixel);
-  const uvec2 texel = kind == 0u ? copy : deblocked(pixel, kind, copy);
-  store_texel(pixel, texel, kind != 0u);
-#ifdef MUTANT_13  // the copy's luma
-  imageStore(luma, pixel, vec4(luma_of(copy)));
-#else
-  imageStore(luma, pixel, vec4(luma_of(texel)));
-#endif
+  const uint cell = gl_LocalInvocationIndex;
+  const uint marked = marks_of_cell(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, cell);
+  const ivec2 first = ivec2(gl_WorkGroupID.xy * kVrcsTileSide + uvec2(cell % 8u, cell / 8u) * kCellSide);
+  const ivec2 last = ivec2(params.width, params.height) - 1;
+  uvec2 copies[4], texels[4];
+  uint changed = 0u;  // a bit a pixel
+  for (uint i = 0u; i < 4u; ++i) {
+    const ivec2 pixel = first + ivec2(i & 1u, i >> 1);
+    copies[i] = texels[i] = texel_at(min(pixel, last));
+    if (kind_of(marked, i) != 0u && on_screen(pixel)) changed |= 1u << i;
+  }
+  for (uint left = changed; left != 0u; left &= left - 1u) {
+    const uint i = findLSB(left);
+    const uvec2 copy = i < 2u ? (i == 0u ? copies[0] : copies[1]) : (i == 2u ? copies[2] : copies[3]);
+    const uvec2 texel = deblocked(first + ivec2(i & 1u, i >> 1), kind_of(marked, i), copy);
+    for (uint k = 0u; k < 4u; ++k) texels[k] = k == i ? texel : texels[k];
+  }
+  for (uint i = 0u; i < 4u; ++i)
+    store(first + ivec2(i & 1u, i >> 1), copies[i], texels[i], (changed >> i & 1u) != 0u);
 }

@@ -5,58 +5,17 @@
 #include <string_view>
 
 #include "harness/half.h"
+#include "harness/vrcs_scene.h"
 #include "kernels/vrcs_deblock/inputs.h"
 
 namespace assay::vrcs_deblock {
 
 namespace {
 
-constexpr uint kSide = 512, kPatch = 128;
-constexpr double kPi = 3.14159265358979;
+constexpr uint kSide = 512;
 
-double hashed(int64_t x, int64_t y, uint64_t salt) {
-  return Pcg32(static_cast<uint64_t>(x * 73856093) ^ static_cast<uint64_t>(y * 19349663) ^ salt * 83492791).unit();
-}
-double smooth(double t) { return t * t * (3 - 2 * t); }
-
-// Random values on a grid, interpolated: 0 to 1.
-double noise(double x, double y, uint64_t salt) {
-  const double u = std::floor(x), v = std::floor(y), s = smooth(x - u), t = smooth(y - v);
-  const auto i = static_cast<int64_t>(u), j = static_cast<int64_t>(v);
-  const double upper = std::lerp(hashed(i, j, salt), hashed(i + 1, j, salt), s);
-  return std::lerp(upper, std::lerp(hashed(i, j + 1, salt), hashed(i + 1, j + 1, salt), s), t);
-}
-double octaves(double x, double y, double longest, uint64_t salt) {
-  double sum = 0, weight = 0.5;
-  for (uint k = 0; k < 4; ++k, weight /= 2, longest /= 2) sum += weight * noise(x / longest, y / longest, salt + k);
-  return sum;
-}
-double stripes(double along, double period) { return 0.5 + 0.4 * std::sin(2 * kPi * along / period); }
-
-// Patches of gradients, slow and quick noise, edges and stripes, off the grid of tiles.
-double scene(double x, double y) {
-  const double column = std::floor((x - 37.3) / kPatch), row = std::floor((y - 21.7) / kPatch);
-  const auto patch = static_cast<uint64_t>((column + 8) * 16 + row + 8);
-  const double angle = 2 * kPi * hashed(1, 2, patch), along = x * std::cos(angle) + y * std::sin(angle);
-  switch (patch % 7) {
-    case 0:
-    case 1:
-      return 0.5 + 0.4 * std::sin(along / 300 + static_cast<double>(patch));
-    case 2:
-      return 0.1 + 0.8 * octaves(x, y, 64, patch);
-    case 3:
-      return 0.2 + 0.6 * octaves(x, y, 6, patch);
-    case 4:
-      return std::fmod(std::fmod(along, 40) + 40, 40) < 20 ? 0.25 : 0.75;
-    case 5:
-      return stripes(along, 18);
-    default:
-      return stripes(along, 5.2);
-  }
-}
-
-double stripes_18(double x, double) { return stripes(x, 18); }
-double stripes_5(double x, double) { return stripes(x, 5.2); }
+double stripes_18(double x, double) { return vrcs::stripes(x, 18); }
+double stripes_5(double x, double) { return vrcs::stripes(x, 5.2); }
 
 // Moved to the right and about half as far down.
 Picture shaded(double (*at)(double, double), uint rate, double moved) {
@@ -65,14 +24,14 @@ Picture shaded(double (*at)(double, double), uint rate, double moved) {
 
 // Discs, each its own surface nearer than the scene, all of triangles of 10 pixels.
 Picture silhouettes() {
-  Picture p = shaded(scene, kRate2x2, 0);
+  Picture p = shaded(vrcs::scene, kRate2x2, 0);
   for (uint y = 0; y < kSide; ++y)
     for (uint x = 0; x < kSide; ++x) {
       const uint column = x / 64, row = y / 64;
       const bool disc = std::hypot(x % 64 - 31.5, y % 64 - 31.5) < 20;
       p.visibility[p.place(x, y)] = uvec2(x / 10 + y / 10 * 128, disc ? 1 + column + row * 16 : 0);
       p.depth[p.place(x, y)] = disc ? 0.05f : 0.01f;
-      if (disc) p.texels[p.place(x, y)] = grey(2 * scene(y, x));
+      if (disc) p.texels[p.place(x, y)] = grey(2 * vrcs::scene(y, x));
     }
   return p;
 }
@@ -84,15 +43,15 @@ struct Class {
   double moved;
   double (*at)(double, double);  // none: silhouettes
 };
-constexpr Class kClasses[] = {{"2x1", "uniform, static", kRate2x1, 0, scene},
-                              {"1x2", "uniform, static", kRate1x2, 0, scene},
-                              {"2x2", "uniform, static", kRate2x2, 0, scene},
-                              {"2x1, moved 0.37", "off the pixel grid", kRate2x1, 0.37, scene},
-                              {"1x2, moved 0.37", "off the pixel grid", kRate1x2, 0.37, scene},
-                              {"2x2, moved 0.37", "off the pixel grid", kRate2x2, 0.37, scene},
-                              {"2x1, moved 3.3", "three pixels on", kRate2x1, 3.3, scene},
-                              {"1x2, moved 3.3", "three pixels on", kRate1x2, 3.3, scene},
-                              {"2x2, moved 3.3", "three pixels on", kRate2x2, 3.3, scene},
+constexpr Class kClasses[] = {{"2x1", "uniform, static", kRate2x1, 0, vrcs::scene},
+                              {"1x2", "uniform, static", kRate1x2, 0, vrcs::scene},
+                              {"2x2", "uniform, static", kRate2x2, 0, vrcs::scene},
+                              {"2x1, moved 0.37", "off the pixel grid", kRate2x1, 0.37, vrcs::scene},
+                              {"1x2, moved 0.37", "off the pixel grid", kRate1x2, 0.37, vrcs::scene},
+                              {"2x2, moved 0.37", "off the pixel grid", kRate2x2, 0.37, vrcs::scene},
+                              {"2x1, moved 3.3", "three pixels on", kRate2x1, 3.3, vrcs::scene},
+                              {"1x2, moved 3.3", "three pixels on", kRate1x2, 3.3, vrcs::scene},
+                              {"2x2, moved 3.3", "three pixels on", kRate2x2, 3.3, vrcs::scene},
                               {"2x1, stripes of 18", "slow change is mended well", kRate2x1, 0, stripes_18},
                               {"2x1, stripes of 5.2", "quick change is not", kRate2x1, 0, stripes_5},
                               {"2x2, silhouettes", "surfaces and triangles", kRate2x2, 0, nullptr}};

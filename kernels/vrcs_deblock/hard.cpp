@@ -30,7 +30,7 @@ HardCase listed(const char* name, const char* why, std::function<Picture()> make
                 std::function<void(const Picture&, Lists&)> change) {
   return {name, why, [make = std::move(make), change = std::move(change)] {
             const Picture p = make();
-            Lists lists = lists_of(p.extent, p.visibility, p.rates, p.frame);
+            Lists lists = lists_of(p);
             change(p, lists);
             return case_of(p, lists);
           }};
@@ -372,17 +372,18 @@ std::vector<Mutant> mutants() {
           {"duplicates.glsl", 6, "224 entries are too many", "primaries_224"},
           {"duplicates.glsl", 7, "fogged tiles are left alone", "fogged"},
           {"duplicates.glsl", 8, "an entry too many", "last_entry"},
-          {"duplicates.glsl", 9, "the barrier after the marks dropped", "primaries_224"},
+          {"duplicates.glsl", 9, "the barrier after the marks dropped", "rate_1x2"},
           {"deblock.glsl", 10, "NaN spreads", "nan_neighbours"},
           {"deblock.glsl", 11, "one diagonal of two", "all_2x2_even"},
-          {"deblock.glsl", 12, "luma's red and blue swapped", "channels_apart"},
+          {"luma.glsl", 12, "luma's red and blue swapped", "channels_apart"},
           {"deblock.glsl", 13, "the copy's luma", "rate_1x2"},
           {"guarded.comp", 14, "surfaces are not asked for", "same_depth"},
           {"guarded.comp", 15, "the farther neighbour is close", "fold"},
           {"guarded_by_triangle.comp", 16, "triangles of all surfaces alike", "same_triangle_index"},
           {"in_place.comp", 17, "nothing is stored", "rate_1x2"},
-          {"harness/glsl/tone_curve.glsl", 9701, "a bucket's first code for all of it", "every_half"},
-          {"harness/glsl/tone_curve.glsl", 9702, "what is past the last bucket is black", "every_half"}};
+          {"half_codes.comp", 20, "halves by columns", "all_1x1"},
+          {"harness/glsl/tone_curve.glsl", 9701, "a bucket's first code for all of it", "all_1x1"},
+          {"harness/glsl/tone_curve.glsl", 9702, "what is past the last bucket is black", "all_1x1"}};
 }
 
 }  // namespace assay::vrcs_deblock

@@ -23,6 +23,10 @@ Picture blank(Extent e) {
           .rates = std::vector<uint8_t>(pixel_count(tiles_of(e, kCellSide)), kRate1x1)};
 }
 
+Lists lists_of(const Picture& p) {
+  return vrcs::lists_of(vrcs::coordinates_of({p.extent, p.visibility, p.rates, {}, p.frame}));
+}
+
 namespace {
 
 // As the shading pass leaves the screen: a duplicate is the texel of the pixel that an entry copies.
@@ -67,7 +71,7 @@ Case case_of(const Picture& p, const Lists& lists) {
   c.set_input("first_codes", bucket_codes(thresholds));
   return c;
 }
-Case case_of(const Picture& p) { return case_of(p, lists_of(p.extent, p.visibility, p.rates, p.frame)); }
+Case case_of(const Picture& p) { return case_of(p, lists_of(p)); }
 
 namespace {
 
@@ -179,7 +183,7 @@ Case random_case(Random& r) {
   }
   if (r.branch({{"no_sky", 0.6}, {"sky", 0.4}}) == 1)
     set_sky(p, 0, 0, 1 + r.rng.below(p.extent.width), 1 + r.rng.below(p.extent.height));
-  Lists lists = lists_of(p.extent, p.visibility, p.rates, p.frame);
+  Lists lists = lists_of(p);
   const bool fogged = r.branch({{"clear", 0.7}, {"fogged", 0.3}}) == 1;
   for (uint& word : lists.tiles) word |= fogged && r.rng.below(2) ? kVrcsTileFog : 0;
   if (r.branch({{"lists_sound", 0.8}, {"lists_spoilt", 0.2}}) == 1) spoil(r.rng, lists);

@@ -2,7 +2,7 @@
 #pragma once
 #include "harness/kernel.h"
 #include "harness/oracle.h"
-#include "kernels/vrcs_deblock/coordinates.h"
+#include "harness/vrcs_oracle.h"
 #include "kernels/vrcs_deblock/oracle.h"
 
 namespace assay::vrcs_deblock {
@@ -33,6 +33,9 @@ inline Picture at_rate(Picture p, uint rate, uint frame = 0) {
   p.frame = frame;
   return p;
 }
+
+using vrcs::Lists;
+Lists lists_of(const Picture&);  // the picture's own
 
 // Duplicates hold their primaries' texels, by the picture's own lists or by any.
 Case case_of(const Picture&);

@@ -9,6 +9,7 @@ namespace {
 
 const std::vector<std::string> kApart = {"ping_pong", "guarded", "guarded_by_triangle"};
 
+Groups per_256_halves(const Case&) { return {16, 16, 1}; }
 Groups per_tile(const Case& c) {
   const Extent tiles = tiles_of(c.extent, kVrcsTileSide);
   return {tiles.width, tiles.height, 1};
@@ -25,6 +26,11 @@ Port words_of_radiance(const std::string& name, Use use, std::vector<std::string
           .producers = std::move(producers),
           .only_in = std::move(only_in)};
 }
+Port half_codes_port() {
+  Port p = writes_image("half_codes", Format::r8_uint);
+  p.extent = [](const Case&) { return Extent{kHalfCodesSide, kHalfCodesSide}; };
+  return p;
+}
 Port only_in(std::vector<std::string> variants, Port p) {
   p.only_in = std::move(variants);
   return p;
@@ -34,8 +40,13 @@ Bound named(Bound b, const std::string& of) {
   b.answer = b.ports[0] + of;
   return b;
 }
+// The table of codes goes before whatever asks it.
+std::vector<Pass> passes(const std::string& shader) {
+  return {Dispatch{"half_codes.comp", per_256_halves}, Dispatch{shader, per_tile}};
+}
+Bound half_codes() { return exact("half_codes", "codes by comparison"); }
 std::vector<Bound> bounds(const std::string& of) {
-  return {named(exact("deblocked_radiance", "sums of floats in a given order, to the nearest half"), of),
+  return {half_codes(), named(exact("deblocked_radiance", "sums of floats in a given order, to the nearest half"), of),
           named(exact("luma", "codes by comparison, weights in whole numbers"), of)};
 }
 std::vector<Bound> ranges() {
@@ -44,18 +55,18 @@ std::vector<Bound> ranges() {
   radiance.unpack = Unpack{layout_of<ColourRange>(), unpack_texels};
   Bound luma = named(between({"luma"}, "of the radiance's range: it grows with each channel"), " of in_place");
   luma.unpack = Unpack{layout_of<LumaRange>(), unpack_luma};
-  return {radiance, luma};
+  return {half_codes(), radiance, luma};
 }
 
 Variant variant(const std::string& name, const std::string& of, const std::string& note) {
-  return {.name = name, .passes = {Dispatch{name + ".comp", per_tile}}, .bounds = bounds(of), .note = note};
+  return {.name = name, .passes = passes(name + ".comp"), .bounds = bounds(of), .note = note};
 }
 
 // Each port of the default once.
 Cost cost(const Case& c) {
   return {.bytes_read =
               pixels(c) * 8 + (tiles(c) + entries(c)) * 4 + sizeof(ExposureRecord) + uint64_t{kCodes + kBuckets} * 4,
-          .bytes_written = pixels(c) * (8 + 2),
+          .bytes_written = pixels(c) * (8 + 2) + 65536,
           .operations = pixels(c) * 60};
 }
 
@@ -72,14 +83,14 @@ Kernel describe() {
                 reads<uint>("tiles", tiles, {"vrcs_coordinates.tiles"}),
                 reads<uint>("entries", entries, {"vrcs_coordinates.entries"}),
                 reads<ExposureRecord>("exposure", fixed(1)), reads<float>("thresholds", fixed(kCodes)),
-                reads<uint>("first_codes", fixed(kBuckets)),
+                reads<uint>("first_codes", fixed(kBuckets)), half_codes_port(),
                 only_in({"guarded", "guarded_by_triangle"},
                         reads_image("visibility", Format::rg32_uint, {"visibility.visibility"})),
                 only_in({"guarded"}, reads_image("depth", Format::d32_float, {"visibility.depth"})),
                 words_of_radiance("deblocked_radiance", Use::writes, kApart), writes_image("luma", Format::rg8_unorm)},
       .variants = {variant("ping_pong", "", "from one image to another; every neighbour counts"),
                    {.name = "in_place",
-                    .passes = {Dispatch{"in_place.comp", per_tile}},
+                    .passes = passes("in_place.comp"),
                     .bounds = ranges(),
                     .note = "one image: a neighbour may have changed already"},
                    variant("guarded", " of guarded", "neighbours of the surface at about the pixel's depth"),

@@ -18,6 +18,9 @@ struct DeblockParams {
 // distance.
 SHARED_CONST uint kCloseDepths = 0x80000u;
 
+// A table of the displayed code of every half, in rows of so many.
+SHARED_CONST uint kHalfCodesSide = 256u;
+
 // Luma of displayed codes: the weights of Rec. 709 in 2^16ths, which add up to 2^16.
 SHARED_CONST uint kLumaRed = 13933u;
 SHARED_CONST uint kLumaGreen = 46871u;

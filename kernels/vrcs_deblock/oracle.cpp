@@ -166,6 +166,7 @@ Answer answers(const Case& c) {
   const std::vector<Kind> kinds = kinds_of(c);
   const Luma luma(c.input<ExposureRecord>("exposure")[0].exposure);
   Answer answer;
+  answer["half_codes"] = expect_all(luma.codes());
   const auto add = [&](const std::string& of, const Belongs& belongs) {
     const auto texels = deblocked(c, kinds, belongs);
     answer["deblocked_radiance" + of] = expect_all(texels);

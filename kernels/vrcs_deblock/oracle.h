@@ -31,6 +31,7 @@ class Luma {
  public:
   explicit Luma(float exposure);
   uint8_t of(const Texel&) const;
+  const std::vector<uint8_t>& codes() const { return codes_; }  // of each half
 
  private:
   std::vector<uint8_t> codes_;  // of each half

@@ -5,13 +5,10 @@
 #include "harness/shared.h"
 SHARED_BEGIN(vrcs_shading_rate)
 
-SHARED_CONST uint kAllFull = 1u;  // flags: 1x1 everywhere, for want of a picture before (first frame, cut, new size)
-SHARED_CONST uint kWeber = 2u;    // the error that passes grows with the mean, else it is the same everywhere
-
 struct RateParams {
   uint width;  // pixels
   uint height;
-  uint flags;
+  uint flags;            // kAllFull, kWeber
   float tolerance;       // error that passes: of luma 0..1, or with kWeber of the mean and `ambient` together
   float ambient;         // luma that the eye adapts to beside the mean's, kWeber only
   float half_weight;     // what motion makes of the squared error of 2x1 and 1x2; 1: nothing moves
