@@ -165,8 +165,8 @@ std::vector<HardCase> hostile_primaries() {
          Case c = vrcs::changed(holed(), "tiles", [](Words& w) { std::ranges::fill(w, 1); });
          c = vrcs::changed(c, "tile_entries", [](Words& w) { std::ranges::fill(w, 11 | 13 << 4 | 7 << 8); });
          return vrcs::changed(c, "list", [](Words& w) {
-           const uint kOdd[] = {75 | 60u << 14 | 1u << 28,
-                                74 | 61u << 14 | 2u << 28,
+           const uint kOdd[] = {75 | 58u << 14 | 1u << 28,
+                                70 | 61u << 14 | 2u << 28,
                                 75 | 61u << 14 | 7u << 28,
                                 0x0fffffff,
                                 0x80000000,

@@ -46,9 +46,7 @@ uint64_t shaded_by_tiles(const Case& c) {
 }
 
 Cost cost_of_reads(const Case& c, uint64_t bytes_read, uint64_t shaded, uint64_t lights_a_pixel) {
-  return {.bytes_read = bytes_read,
-          .bytes_written = pixels(c) * 8,
-          .operations = pixels(c) + shaded * (60 + 150 * lights_a_pixel)};
+  return {.bytes_read = bytes_read, .bytes_written = pixels(c) * 8, .operations = shaded * (60 + 150 * lights_a_pixel)};
 }
 Cost cost(const Case& c) {
   return cost_of_reads(c, bytes_of_pixels(c) + bytes_of_cells(c), pixels(c), lights_a_cell(c));
@@ -121,7 +119,7 @@ Variant clustered(const std::string& name, std::vector<Feature> needs, const std
 
 Variant of_primaries(const std::string& name, std::vector<Pass> passes, std::function<Cost(const Case&)> cost,
                      const std::string& note) {
-  Bound bound = radiance("of the primary's pixel, as of a pixel that all are shaded of");
+  Bound bound = radiance("a copy is its primary's texel, bounded as that pixel alone");
   bound.answer = name;
   return {.name = name,
           .passes = std::move(passes),
