@@ -35,6 +35,8 @@ void expect_same_light(const scene::Scene& s, Extent size) {
     o.variants["cluster_voxelization"] = culler;
     EXPECT_EQ(draw(s, o).downloads.at(radiance), all.downloads.at(radiance)) << culler;
   }
+  o.variants["decal_atlas_sampling"] = "gradient";
+  EXPECT_EQ(draw(s, o).downloads.at(radiance), all.downloads.at(radiance)) << "decals without a list of tiles";
 }
 
 TEST(FrameClusters, LightThroughClustersIsLightByBruteForce) {
