@@ -50,7 +50,8 @@ TEST(Study, TheDeblockerMendsARamp) {
   const Shaded s = shade(chain, {"second_difference_8", 0.05f});
   EXPECT_EQ(s.saved, 0.75);
   for (size_t i = 0; i < p.radiance.size(); ++i) {
-    if (i % 64 == 0 || i % 64 == 63 || i < 64 || i >= 63 * 64) continue;  // copies at the sides may lack a neighbour
+    if (i % 64 == 0 || i % 64 == 63 || i < 64 || i >= size_t{63} * 64)
+      continue;  // copies at the sides may lack a neighbour
     EXPECT_NEAR(half_value(s.deblocked[i][0]), half_value(p.radiance[i][0]), half_step(0.3)) << i;
   }
   EXPECT_NE(s.copied, p.radiance);

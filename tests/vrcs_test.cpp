@@ -13,6 +13,7 @@
 #include "kernels/deferred_lighting/inputs.h"
 #include "kernels/deferred_lighting/sources.h"
 #include "kernels/vrcs_shading_rate/oracle.h"
+#include "tests/run.h"
 
 namespace assay::tests {
 namespace {
@@ -126,6 +127,10 @@ constexpr uint32_t kCut = 320;  // pixels a side of the study's pictures: for ti
 
 TEST(Vrcs, TheBoundsHoldOnTheSyntheticScene) {
   EXPECT_EQ(expect_both_bounded(luma_of(study::synthetic(kCut))), 4u * (160 * 160 + 40 * 40));
+}
+TEST(Vrcs, TheBoundsHoldOnAFrame) {
+  const Picture luma = luma_of(study::frame(*device(), "small", "", {kCut, 180}));
+  EXPECT_GT(expect_both_bounded(luma), 50000u);
 }
 TEST(Vrcs, TheBoundsHoldOnPhotographs) {
   const auto files = study::photographs();

@@ -70,6 +70,7 @@ struct Studied {
 void print(const Flags& f, const Studied& s) {
   const auto rows = rows_of(s.outcomes);
   std::vector<std::string> classes;
+  if (!f.full) fmt::print("Of each picture the middle {} pixels at most; --full takes all of it.\n", f.side);
   for (const auto& p : s.pictures) {
     if (std::ranges::find(classes, p.input_class) == classes.end()) classes.push_back(p.input_class);
     fmt::print("{}: {}, {}x{}, exposure {:.3g}\n", p.input_class, p.name, p.size.width, p.size.height, p.exposure);
@@ -108,6 +109,12 @@ int run(const Flags& f) {
   progress.clear();
   if (!json_on_stdout(f.common)) print(f, s);
   report::Json json = {{"device", report::to_json(device::info(*d))}, {"commit", report::commit()}};
+  for (const auto& p : s.pictures)
+    json["pictures"].push_back({{"class", p.input_class},
+                                {"name", p.name},
+                                {"width", p.size.width},
+                                {"height", p.size.height},
+                                {"exposure", p.exposure}});
   json["outcomes"] = study::to_json(s.outcomes);
   json["half_saved"] = study::to_json(s.halved);
   write_json(f.common, json);

@@ -19,7 +19,7 @@ RateParams usual(Extent e) {
   return {.width = e.width,
           .height = e.height,
           .flags = 0,
-          .tolerance = 0.02f,
+          .tolerance = kUsualTolerance,
           .ambient = 0.05f,
           .half_weight = 1,
           .quarter_weight = 1,
@@ -94,7 +94,9 @@ Case typical(Extent e) {
       uint8_t& blended = luma[size_t{y} * e.width + x].y;
       blended = static_cast<uint8_t>((blended + 2 * 200) / 3);
     }
-  Case c = case_of(e, luma, usual(e));
+  RateParams p = usual(e);
+  p.extra_half = kUsualExtraHalf;
+  Case c = case_of(e, luma, p);
   c.name = "typical";
   return c;
 }

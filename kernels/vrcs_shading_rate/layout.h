@@ -5,6 +5,10 @@
 #include "harness/shared.h"
 SHARED_BEGIN(vrcs_shading_rate)
 
+// What the study of pictures says: the most that is saved at a mean FLIP of 0.02 (README, Which estimator).
+SHARED_CONST float kUsualTolerance = 0.02f;
+SHARED_CONST float kUsualExtraHalf = 0.5f;
+
 struct RateParams {
   uint width;  // pixels
   uint height;
