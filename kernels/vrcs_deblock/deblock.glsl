@@ -4,15 +4,8 @@
 // Loop turns of an invocation: at most 765, in the tone curve.
 #include "kernels/vrcs_deblock/duplicates.glsl"
 #include "kernels/vrcs_deblock/halves.glsl"
-
-READS(2, ExposureRecord, exposure);
-READS(3, float, thresholds);
-READS(4, uint, first_codes);
-layout(binding = 5, rg8) uniform writeonly restrict image2D luma;
-
-#define TONE_THRESHOLDS thresholds
-#define TONE_FIRST_CODES first_codes
-#include "harness/glsl/tone_curve.glsl"
+#include "kernels/vrcs_deblock/luma.glsl"
+#include "kernels/vrcs_deblock/nearest_halves.glsl"
 
 uvec2 texel_at(ivec2 pixel);
 bool belongs(ivec2 pixel, ivec2 neighbour);
@@ -42,17 +35,6 @@ uvec2 deblocked(ivec2 pixel, uint kind, uvec2 copy) {
   if (kind == kCopyDiagonal) add_pair(pixel, ivec2(1, -1), sum, pairs);
 #endif
   return pairs == 0.0 ? copy : with_colour(copy, sum * (pairs == 1.0 ? 0.5 : 0.25));
-}
-
-float luma_of(uvec2 texel) {
-  const vec3 exposed = colour_of(texel) * exposure[0].exposure;
-  const uvec3 codes = uvec3(code_of(exposed.r), code_of(exposed.g), code_of(exposed.b));
-#ifdef MUTANT_12  // red and blue swapped
-  const uint sum = kLumaBlue * codes.r + kLumaGreen * codes.g + kLumaRed * codes.b;
-#else
-  const uint sum = kLumaRed * codes.r + kLumaGreen * codes.g + kLumaBlue * codes.b;
-#endif
-  return float(sum + 0x8000u >> 16) / 255.0;
 }
 
 void main() {

@@ -364,8 +364,8 @@ std::vector<HardCase> hard_cases() {
 }
 
 std::vector<Mutant> mutants() {
-  return {{"halves.glsl", 1, "means are truncated", "rate_1x2"},
-          {"halves.glsl", 2, "red and green swapped", "rate_1x2"},
+  return {{"nearest_halves.glsl", 1, "means are truncated", "rate_1x2"},
+          {"nearest_halves.glsl", 2, "red and green swapped", "rate_1x2"},
           {"duplicates.glsl", 3, "the last column is not on the screen", "odd_extent"},
           {"duplicates.glsl", 4, "the upper left in every frame", "all_2x2_odd"},
           {"duplicates.glsl", 5, "the diagonal duplicate is forgotten", "all_2x2_even"},
@@ -375,12 +375,13 @@ std::vector<Mutant> mutants() {
           {"duplicates.glsl", 9, "the barrier after the marks dropped", "primaries_224"},
           {"deblock.glsl", 10, "NaN spreads", "nan_neighbours"},
           {"deblock.glsl", 11, "one diagonal of two", "all_2x2_even"},
-          {"deblock.glsl", 12, "luma's red and blue swapped", "channels_apart"},
+          {"luma.glsl", 12, "luma's red and blue swapped", "channels_apart"},
           {"deblock.glsl", 13, "the copy's luma", "rate_1x2"},
           {"guarded.comp", 14, "surfaces are not asked for", "same_depth"},
           {"guarded.comp", 15, "the farther neighbour is close", "fold"},
           {"guarded_by_triangle.comp", 16, "triangles of all surfaces alike", "same_triangle_index"},
           {"in_place.comp", 17, "nothing is stored", "rate_1x2"},
+          {"luma_alone.comp", 18, "the last column has none", "all_1x1"},
           {"harness/glsl/tone_curve.glsl", 9701, "a bucket's first code for all of it", "every_half"},
           {"harness/glsl/tone_curve.glsl", 9702, "what is past the last bucket is black", "every_half"}};
 }

@@ -38,6 +38,7 @@ inline Picture at_rate(Picture p, uint rate, uint frame = 0) {
 Case case_of(const Picture&);
 Case case_of(const Picture&, const Lists&);
 
+Case in_frame(const FrameInputs&);
 Case typical(Extent);  // a fifth of sky, triangles of 24 pixels, a rate a tile
 Inputs inputs();
 std::vector<HardCase> hard_cases();  // hard.cpp
