@@ -340,6 +340,13 @@ struct Mutant {
   std::string killed_by;  // a hard case's name
 };
 
+// What a frame leaves to the next of its shot, for variable rates.
+struct FrameHistory {
+  Extent extent = {};
+  Bytes luma = {};     // rg8_unorm (formats/vrcs.h); empty: there is none
+  float exposure = 0;  // what its radiance was multiplied by; 0: not known
+};
+
 // What the frame tells a kernel about the view that is drawn.
 struct FrameInputs {
   Extent extent = {};
@@ -349,10 +356,12 @@ struct FrameInputs {
   ViewRays rays = {};
   ClusterGrid grid = {};  // without cells: clusters are off
   float near_plane = 0.1f;
-  float exposure_stops = 0;  // added to the automatic exposure
-  uint32_t frame = 0;        // its number in a sequence
-  bool vrcs = false;         // shading rates vary: passes shade primaries and copy (harness/formats/vrcs.h)
-  uint32_t view = 0;         // the debug view asked for (kernels/debug_view/layout.h)
+  float exposure_stops = 0;   // added to the automatic exposure
+  uint32_t frame = 0;         // its number in a sequence
+  bool vrcs = false;          // shading rates vary: passes shade primaries and copy (harness/formats/vrcs.h)
+  float vrcs_tolerance = 0;   // error that is let pass, of luma 0..1
+  FrameHistory history = {};  // of this extent; without luma all rates are 1x1
+  uint32_t view = 0;          // the debug view asked for (kernels/debug_view/layout.h)
 };
 
 struct Kernel {

@@ -22,8 +22,13 @@ namespace {
 using frame::Options;
 using frame::Result;
 
+// Views of rates are of rates that vary.
+Options in_view(Extent size, const std::string& view) {
+  const bool of_rates = view == "rate" || view == "primary";
+  return {.size = size, .view = view, .vrcs = of_rates ? "on" : "off", .warm_up = false};
+}
 Result draw_at(const scene::Scene& s, Extent size, const std::string& view = "material") {
-  return draw(s, {.size = size, .view = view, .warm_up = false});
+  return draw(s, in_view(size, view));
 }
 
 scene::Camera looking_away(const scene::Scene& s) {
@@ -180,7 +185,7 @@ TEST(Frame, UltraHighDefinition) {
 TEST(Frame, ACameraThatLooksAwaySeesNothing) {
   const scene::Scene s = scene::small();
   for (const std::string& view : frame::view_names()) {
-    const Result r = frame::render(*device(), s, looking_away(s), {.size = {100, 70}, .view = view, .warm_up = false});
+    const Result r = frame::render(*device(), s, looking_away(s), in_view({100, 70}, view));
     for (const uvec2 v : words<uvec2>(r.downloads.at("visibility.visibility"))) ASSERT_EQ(v, uvec2(kVisibilityNone));
     for (const float z : words<float>(r.downloads.at("visibility.depth"))) ASSERT_EQ(z, 0.0f);
     for (const uint32_t mask : words<uint32_t>(r.downloads.at("tile_classification.masks"))) ASSERT_EQ(mask, 0u);

@@ -96,7 +96,7 @@ TEST(Graph, AKernelWithoutWorkIsAbsentAndItsReadersFallBack) {
   k[1].variants[0].passes = {Dispatch{"main.comp", [](const Case&) { return Groups{0}; }}};
   const Graph g = graph_of(k, {"reader.y"});
   EXPECT_EQ(names(g), (std::vector<std::string>{"early", "reader"}));
-  EXPECT_EQ(reason(g, "late"), "the scene has no work for it");
+  EXPECT_EQ(reason(g, "late"), "this frame has no work for it");
 }
 
 TEST(Graph, AnUpdateSharesMemoryAndWaitsForReadersOfTheOldVersion) {

@@ -5,6 +5,7 @@
 #include <rapidcheck.h>
 
 #include <cmath>
+#include <cstring>
 #include <set>
 
 #include "tests/raycaster.h"
@@ -247,6 +248,38 @@ TEST(Scene, RayCasterTellsHowFarTheEdgeIs) {
     EXPECT_EQ(out->instance, scene::kNone);
   }
   EXPECT_FALSE(cast(s, camera, extent, right + 1.5, 190.3).has_value());
+}
+
+// Where everything is depends on the frame's number alone; what a decal lies on takes it along.
+TEST(Scene, MovesByTheFramesNumber) {
+  const Scene s = scene::small();
+  Scene moved = s;
+  scene::move_to_frame(20, s, moved);
+  for (size_t i = 0; i < s.instances.size(); ++i) {
+    const scene::Motion& m = s.instances[i].motion;
+    const bool moves = m.turn_rad != 0 || m.reach != glm::dvec3(0);
+    EXPECT_EQ(moved.instances[i].to_world != s.instances[i].to_world, moves) << i;
+  }
+  EXPECT_NE(moved.lights[1].position, s.lights[1].position);
+  EXPECT_NE(moved.lights[2].direction, s.lights[2].direction);
+  EXPECT_EQ(moved.lights[0].direction, s.lights[0].direction);
+  const Camera still = scene::default_camera(s);
+  const auto at_first = scene::gather(s, still, {64, 36}).receivers,
+             later = scene::gather(moved, still, {64, 36}).receivers;
+  ASSERT_FALSE(at_first.empty());
+  ASSERT_EQ(at_first.size(), later.size());
+  EXPECT_NE(std::memcmp(at_first.data(), later.data(), at_first.size() * sizeof(at_first[0])), 0);
+
+  scene::move_to_frame(0, s, moved);
+  for (size_t i = 0; i < s.instances.size(); ++i) EXPECT_EQ(moved.instances[i].to_world, s.instances[i].to_world);
+  for (size_t i = 0; i < s.lights.size(); ++i) {
+    EXPECT_EQ(moved.lights[i].position, s.lights[i].position);
+    EXPECT_EQ(moved.lights[i].direction, s.lights[i].direction);
+  }
+  EXPECT_EQ(scene::camera_in_frame(still, 0).orientation, still.orientation);
+  const Camera walked = scene::camera_in_frame(still, 20);
+  EXPECT_GT(length(walked.eye - still.eye), 0.3);  // 1.4 m a second at first
+  EXPECT_LT(length(walked.eye - still.eye), 0.5);
 }
 
 TEST(Scene, RayCasterCutsMaskedTriangles) {

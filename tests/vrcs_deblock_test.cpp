@@ -38,11 +38,11 @@ void expect_ramp(const std::string& variant, uint rate, uint frame, int across, 
 }
 
 TEST(VrcsDeblock, RampsAreMended) {
-  for (const Variant& v : kernel_named("vrcs_deblock").variants)
+  for (const std::string variant : {"ping_pong", "in_place", "guarded", "guarded_by_triangle"})
     for (const uint rate : {kRate1x1, kRate1x2, kRate2x1, kRate2x2})
       for (const uint frame : {0u, 1u})
         for (const auto& [across, down] : {std::array{3, 0}, {0, -5}, {4, 7}})
-          expect_ramp(v.name, rate, frame, across, down);
+          expect_ramp(variant, rate, frame, across, down);
 }
 
 }  // namespace

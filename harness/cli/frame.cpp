@@ -1,5 +1,5 @@
 // assay frame: a scene through the whole chain, as a picture.
-#include "harness/frame/frame.h"
+#include "harness/frame/sequence.h"
 
 #include <fmt/format.h>
 
@@ -21,7 +21,8 @@ struct Flags {
   std::string scene = "small", size = "1280x720", out = "out", camera, sidecar;
   std::vector<std::string> variants;
   frame::Options options;
-  bool explain = false, exr = false;
+  std::optional<uint32_t> frames, cut;
+  bool still = false, explain = false, exr = false;
 };
 
 // "ex,ey,ez,tx,ty,tz": from the eye towards the target, y up.
@@ -51,23 +52,26 @@ void parse_variants(Flags& f) {
   }
 }
 
-void must_have_view(const std::string& view) {
-  const auto& names = frame::view_names();
-  if (std::ranges::find(names, view) == names.end())
-    throw Unusable(fmt::format("no view '{}'; there are {}", view, fmt::join(names, ", ")));
+// Rates come from the two frames before, and settle in the next.
+constexpr uint32_t kVrcsFrames = 4;
+frame::Sequence sequence_of(const Flags& f) {
+  return {.frames = f.frames.value_or(f.options.vrcs == "off" ? 1 : kVrcsFrames), .still = f.still, .cut = f.cut};
 }
 
-void print(const Flags& f, const frame::Result& r, const fs::path& picture) {
+void print(const Flags& f, const frame::Drawn& drawn, const fs::path& picture) {
+  const frame::Result& r = drawn.last;
   for (const auto& note : r.notes) fmt::print("note: {}\n", note);
   if (f.explain) fmt::print("{}\n{}\n", frame::to_text(r.explanation), frame::to_text(r.memory));
   fmt::print("{}\n{}\n", frame::to_text(r.statistics), frame::times_to_text(r));
+  if (drawn.frames.size() > 1) fmt::print("{}\n", frame::to_text(drawn.frames));
   fmt::print("wrote {}\n", picture.string());
 }
 
 int run(Flags& f) {
   f.options.size = parse_size(f.size);
-  must_have_view(f.options.view);
   parse_variants(f);
+  frame::require(f.options);
+  frame::require(sequence_of(f));
   const fs::path picture = fs::path(f.out) / "frame.png", layers = fs::path(f.out) / "frame.exr";
   probe_writable(picture.string());
   if (f.exr) probe_writable(layers.string());
@@ -79,12 +83,13 @@ int run(Flags& f) {
   auto d = open_device(f.common);
   report::Progress progress;
   f.options.progress = [&](const std::string& what, uint64_t done, uint64_t of) { progress.update(what, done, of); };
-  const auto result = frame::render(*d, s, camera, f.options);
+  const auto drawn = frame::render_sequence(*d, s, camera, f.options, sequence_of(f));
   progress.clear();
-  frame::write_png(picture, result);
-  if (f.exr) frame::write_exr(layers, result);
-  if (!json_on_stdout(f.common)) print(f, result, picture);
-  report::Json json = frame::to_json(result);
+  frame::write_png(picture, drawn.last);
+  if (f.exr) frame::write_exr(layers, drawn.last);
+  if (!json_on_stdout(f.common)) print(f, drawn, picture);
+  report::Json json = frame::to_json(drawn.last);
+  json["frames"] = frame::to_json(drawn.frames);
   json["device"] = report::to_json(device::info(*d));
   json["commit"] = report::commit();
   write_json(f.common, json);
@@ -103,7 +108,7 @@ void add_frame(CLI::App& app, Action& action) {
       {"assay frame", "assay frame --scene sponza.glb --size 1280x720 --exposure 1",
        "assay frame --scene default --view wave", "assay frame --scene bare --explain",
        "assay frame --camera 0,2,5,0,1,0 --view workload --out out/workload",
-       "assay frame --variant visibility=fat --json out/frame.json"});
+       "assay frame --variant visibility=fat --json out/frame.json", "assay frame --scene default --vrcs deblocked"});
   command->add_option("--scene", f->scene, "bare, small, default, or a .gltf or .glb file")->capture_default_str();
   command
       ->add_option("--sidecar", f->sidecar,
@@ -121,6 +126,26 @@ void add_frame(CLI::App& app, Action& action) {
           "every pixel asks every light and decal")
       ->capture_default_str()
       ->check(CLI::IsMember({"none", "coarse", "fine"}));
+  command
+      ->add_option(
+          "--vrcs", f->options.vrcs,
+          "Variable rates, from the luma of the frame before: pixels of low contrast share what one of them is "
+          "shaded, shown as it is (on) or averaged with its neighbours (deblocked)")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"off", "on", "deblocked"}));
+  command
+      ->add_option("--vrcs-tolerance", f->options.vrcs_tolerance,
+                   "Error that is let pass, of luma 0 to 1; 2x2 by half of it")
+      ->capture_default_str()
+      ->type_name("LUMA")
+      ->check(CLI::Range(0.0, 1e6));
+  command
+      ->add_option("--frames", f->frames,
+                   "Frames to draw, at 60 Hz along a fixed path; the last is shown (1, or 4 with variable rates)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100'000));
+  command->add_flag("--still", f->still, "Nothing moves from frame to frame");
+  command->add_option("--cut", f->cut, "The viewer is elsewhere from this frame on")->type_name("FRAME");
   command->add_option("--exposure", f->options.exposure_stops, "Stops brighter than the automatic exposure")
       ->capture_default_str()
       ->type_name("STOPS")

@@ -11,7 +11,20 @@ SHARED_CONST uint kViewWorkload = 3u;  // the workload that shades the tile, ove
 SHARED_CONST uint kViewShader = 4u;    // a colour a shader class of deferred texturing
 SHARED_CONST uint kViewWave = 5u;      // a colour a wave of the pixel lists
 SHARED_CONST uint kViewClusters = 6u;  // how many items the cell of a pixel lists
-SHARED_CONST uint kViewCount = 7u;
+SHARED_CONST uint kViewRate = 7u;      // how coarsely the cell of a pixel may be shaded
+SHARED_CONST uint kViewPrimary = 8u;   // which pixels are shaded, and which copy them
+SHARED_CONST uint kViewCount = 9u;
+
+// Places of the colours of these two.
+SHARED_CONST uint kColour1x1 = 0u;
+SHARED_CONST uint kColour1x2 = 1u;
+SHARED_CONST uint kColour2x1 = 2u;
+SHARED_CONST uint kColour2x2 = 3u;
+SHARED_CONST uint kColourPrimary = 4u;
+SHARED_CONST uint kColourDuplicate = 5u;
+SHARED_CONST uint kColourTileWhole = 6u;  // every covered pixel of the tile is shaded
+SHARED_CONST uint kColourTile2x2 = 7u;    // one of each 2x2
+SHARED_CONST uint kVrcsColours = 8u;
 
 SHARED_END
 #endif

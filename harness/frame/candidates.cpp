@@ -50,7 +50,7 @@ Candidate candidate_of(const Kernel& k, const GraphInputs& in) {
   c.node.passes = passes_of(k, *c.node.variant, c.node.input, in.shader_ports);
   bind_ports(c.node);
   if (std::ranges::none_of(c.node.passes, &LivePass::runs))
-    c.present = false, c.absent_because = "the scene has no work for it";
+    c.present = false, c.absent_because = "this frame has no work for it";
   return c;
 }
 

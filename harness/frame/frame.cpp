@@ -10,6 +10,7 @@
 #include "harness/clusters.h"
 #include "harness/formats/cluster_lists.h"
 #include "harness/formats/debug_view.h"
+#include "harness/formats/exposure.h"
 #include "harness/frame/hazards.h"
 #include "harness/frame/legend.h"
 #include "harness/frame/record.h"
@@ -20,9 +21,10 @@ namespace {
 
 struct View {
   const char* name;
-  const char* image;  // the resource that is the picture
-  uint32_t debug;     // kView... of formats/debug_view.h; of no meaning for the lit picture
-  const char* needs;  // a resource that it cannot do without
+  const char* image;      // the resource that is the picture
+  uint32_t debug;         // kView... of formats/debug_view.h; of no meaning for the lit picture
+  const char* needs;      // a resource that it cannot do without
+  bool of_rates = false;  // that must vary
 };
 constexpr const char* kDebugImage = "debug_view.image";
 constexpr View kViews[] = {
@@ -34,14 +36,27 @@ constexpr View kViews[] = {
     {"tile", kDebugImage, kViewTile, "tile_classification.masks"},
     {"clusters", kDebugImage, kViewClusters, kClusterCells},
     {"workload", kDebugImage, kViewWorkload, "tile_classification.workload_tiles"},
+    {"rate", kDebugImage, kViewRate, kRates, true},
+    {"primary", kDebugImage, kViewPrimary, kCopyBits, true},
 };
 constexpr const char* kListStatus = "cluster_lists.list_status";
-constexpr const char* kRadiance = "deferred_lighting.radiance";
+// The picture before it is exposed, the one that is shown first.
+constexpr const char* kRadiance[] = {"vrcs_deblock.deblocked_radiance", "vrcs_deblock.radiance_in_place",
+                                     "deferred_lighting.radiance"};
+constexpr const char* kLuma = "vrcs_deblock.luma";
+constexpr const char* kExposure = "resolve.exposure";
 // Beside the goals: what legends, statistics and layers are made of.
 constexpr const char* kDownloads[] = {"visibility.visibility",
                                       "visibility.depth",
                                       "tile_classification.masks",
-                                      kRadiance,
+                                      kRadiance[0],
+                                      kRadiance[1],
+                                      kRadiance[2],
+                                      kLuma,
+                                      kRates,
+                                      kTiles,
+                                      kCopyBits,
+                                      kExposure,
                                       kCommandStatus,
                                       kListStatus,
                                       kClusterCells};
@@ -59,11 +74,16 @@ bool in_registry(const std::string& resource) {
   return std::ranges::find(all_kernels(), kernel, &Kernel::name) != all_kernels().end();
 }
 
+bool varies(const Options& options) { return options.vrcs != "off"; }
+
 std::vector<std::string> goals_of(const Options& options, const View& view) {
   if (!options.goals.empty()) return options.goals;
-  std::vector<std::string> goals = {view.image};
+  std::vector<std::string> goals;
+  if (varies(options)) goals.push_back(kTiles);
+  goals.emplace_back(view.image);
   for (const char* statistics : {kStatistics, kWorkloadCounts})
     if (in_registry(statistics)) goals.push_back(statistics);
+  if (varies(options) && view.debug == kViewCount) goals.push_back(kLuma);
   return goals;
 }
 
@@ -85,6 +105,13 @@ void require_clusters(const std::string& clusters) {
     throw std::invalid_argument(fmt::format("no clusters '{}'; there are none, coarse, fine", clusters));
 }
 
+void require_vrcs(const Options& o) {
+  if (o.vrcs != "off" && o.vrcs != "on" && o.vrcs != "deblocked")
+    throw std::invalid_argument(fmt::format("no variable rates '{}'; there are off, on, deblocked", o.vrcs));
+  if (!(o.vrcs_tolerance >= 0))
+    throw std::invalid_argument(fmt::format("a tolerance of {} is none; it is 0 or more", o.vrcs_tolerance));
+}
+
 void require_ranges(const Graph& g, const device::Info& info) {
   for (const Resource& r : g.resources)
     if (r.port->kind == PortKind::buffer && r.bytes + device::kGuardBytes > info.max_buffer_range)
@@ -94,11 +121,19 @@ void require_ranges(const Graph& g, const device::Info& info) {
 }
 
 // Without lights or clusters no light is looked up in cells, and the passes that fill them are not needed. Decals
-// without clusters are all of the view's, as the bits of its only cell.
+// without clusters are all of the view's, as the bits of its only cell. Rates that vary need luma, whoever deblocks.
 std::map<std::string, std::string> variants_of(const Options& options, const scene::Gathered& gathered) {
   std::map<std::string, std::string> variants = options.variants;
-  if (gathered.lights.empty() || options.clusters == "none") variants.try_emplace("deferred_lighting", "plain");
-  if (options.clusters == "none") variants.try_emplace("decal_atlas_sampling", "bitfield");
+  const bool by_all = gathered.lights.empty() || options.clusters == "none";
+  if (varies(options))
+    variants.try_emplace("deferred_lighting", by_all ? "plain_tile_list" : "clustered_tile_list");
+  else if (by_all)
+    variants.try_emplace("deferred_lighting", "plain");
+  if (options.clusters == "none")
+    variants.try_emplace("decal_atlas_sampling", "bitfield");
+  else if (varies(options))
+    variants.try_emplace("decal_atlas_sampling", "tiles_primaries");
+  if (options.vrcs == "on" && in_registry(kLuma)) variants.try_emplace("vrcs_deblock", "luma_alone");
   return variants;
 }
 
@@ -108,10 +143,14 @@ void append_clusters(const scene::Camera& camera, const Options& o, scene::Gathe
   scene::append_clusters(camera, o.size, cell, scene::kClusterSlices, to);
 }
 
+// Of a picture of another size nothing is left.
+FrameHistory usable(const FrameHistory& history, Extent size) {
+  return history.extent.width == size.width && history.extent.height == size.height ? history : FrameHistory{};
+}
+
 Prepared prepare(const device::Info& info, const scene::Scene& scene, const scene::Camera& camera,
                  const Options& options) {
-  require_size(options.size);
-  require_clusters(options.clusters);
+  require(options);
   Prepared p = {.view = &view_named(options.view)};
   p.gathered = scene::gather(scene, camera, options.size);
   append_clusters(camera, options, p.gathered);
@@ -125,6 +164,10 @@ Prepared prepare(const device::Info& info, const scene::Scene& scene, const scen
                                   .grid = p.gathered.grid,
                                   .near_plane = static_cast<float>(camera.near_plane),
                                   .exposure_stops = options.exposure_stops,
+                                  .frame = options.frame,
+                                  .vrcs = varies(options),
+                                  .vrcs_tolerance = options.vrcs_tolerance,
+                                  .history = usable(options.history, options.size),
                                   .view = p.view->debug},
                          .scene = p.scene_bytes,
                          .variants = variants_of(options, p.gathered),
@@ -194,6 +237,15 @@ const std::vector<std::string>& view_names() {
   return names;
 }
 
+void require(const Options& o) {
+  require_size(o.size);
+  require_clusters(o.clusters);
+  require_vrcs(o);
+  if (const View& view = view_named(o.view); view.of_rates && !varies(o))
+    throw std::invalid_argument(
+        fmt::format("the view {} is of rates that vary: ask for --vrcs on or deblocked", view.name));
+}
+
 Result render(device::Device& d, const scene::Scene& scene, const scene::Camera& camera, const Options& options) {
   constexpr uint64_t kSteps = 6;
   uint64_t done = 0;
@@ -230,8 +282,17 @@ Result render(device::Device& d, const scene::Scene& scene, const scene::Camera&
   r.downloads = download(d, p.graph, allocated);
   note_dropped(r);
   r.statistics = pass_shares(r.downloads);
+  r.vrcs = vrcs_shares(r.downloads, r.size);
   show(r, p, scene);
   return r;
+}
+
+FrameHistory history_of(const Result& r, const Options& drawn) {
+  FrameHistory next = {.extent = r.size};
+  const auto luma = r.downloads.find(kLuma);
+  if (usable(drawn.history, r.size).exposure > 0 && luma != r.downloads.end()) next.luma = luma->second;
+  if (r.downloads.contains(kExposure)) next.exposure = values_of<ExposureRecord>(r, kExposure).at(0).exposure;
+  return next;
 }
 
 Explanation explain(const device::Info& info, const scene::Scene& scene, const scene::Camera& camera,
@@ -250,7 +311,8 @@ void write_exr(const std::filesystem::path& path, const Result& r) {
   layers.channels.push_back({"depth.Z", image::Sample::float32, values_of<float>(r, "visibility.depth"), {}});
   layers.channels.push_back({"visibility.surface", image::Sample::uint32, {}, std::move(surface)});
   layers.channels.push_back({"visibility.triangle", image::Sample::uint32, {}, std::move(triangle)});
-  if (r.downloads.contains(kRadiance)) add_radiance(layers, r.downloads.at(kRadiance));
+  const auto* shown = std::ranges::find_if(kRadiance, [&](const char* name) { return r.downloads.contains(name); });
+  if (shown != std::end(kRadiance)) add_radiance(layers, r.downloads.at(*shown));
   image::write_exr(path, layers);
 }
 
@@ -275,12 +337,12 @@ nlohmann::json to_json(const Result& r) {
     passes.push_back({{"kernel", t.kernel}, {"pass", t.pass}, {"commands", t.commands}, {"time_ns", t.time_ns}});
   for (const image::LegendRow& row : r.legend)
     legend.push_back({{"colour", fmt::format("#{:02x}{:02x}{:02x}", row.r, row.g, row.b)}, {"text", row.text}});
-  return {{"title", r.title},           {"width", r.size.width},
-          {"height", r.size.height},    {"passes", passes},
-          {"gpu_ns", r.gpu_ns},         {"cpu_ns", r.cpu_ns},
-          {"legend", legend},           {"statistics", to_json(r.statistics)},
-          {"notes", r.notes},           {"explanation", to_json(r.explanation)},
-          {"memory", to_json(r.memory)}};
+  return {{"title", r.title},        {"width", r.size.width},
+          {"height", r.size.height}, {"passes", passes},
+          {"gpu_ns", r.gpu_ns},      {"cpu_ns", r.cpu_ns},
+          {"legend", legend},        {"statistics", to_json(r.statistics)},
+          {"notes", r.notes},        {"explanation", to_json(r.explanation)},
+          {"vrcs", to_json(r.vrcs)}, {"memory", to_json(r.memory)}};
 }
 
 }  // namespace assay::frame

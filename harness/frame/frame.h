@@ -13,6 +13,7 @@
 #include "harness/frame/explain.h"
 #include "harness/frame/memory.h"
 #include "harness/frame/statistics.h"
+#include "harness/frame/vrcs_shares.h"
 #include "harness/image/image.h"
 #include "harness/scene/scene.h"
 
@@ -30,6 +31,12 @@ struct Options {
   float exposure_stops = 0;  // brighter than the automatic exposure
   // Lights by cells of 16x8x24 or of 32 pixels in 24 slices, or each pixel asks all of them.
   std::string clusters = "coarse";  // none, coarse, fine
+  // Variable rates: pixels of low contrast in the picture before share what one of them is shaded; shown as it is or,
+  // deblocked, averaged with its neighbours.
+  std::string vrcs = "off";      // off, on, deblocked
+  float vrcs_tolerance = 0.02f;  // error that is let pass, of luma 0..1; 2x2 by half of it (kernels/vrcs_shading_rate)
+  uint32_t frame = 0;            // its number in a sequence (sequence.h)
+  FrameHistory history = {};     // what the frame before left; of no use if it is of another size
   // Resources that must be computed; whatever none of them needs is left out. Empty: the picture and the statistics.
   std::vector<std::string> goals = {};
   bool warm_up = true;  // draw once before the times are taken: shaders compile at their first dispatch
@@ -52,6 +59,7 @@ struct Result {
   std::vector<PassTime> passes;          // in order of execution
   double gpu_ns = 0, cpu_ns = 0;         // first to last timestamp; process CPU time of the submission
   std::vector<PassShare> statistics;     // of tile classification; empty where it did not run
+  VrcsShares vrcs;                       // zeros where rates do not vary
   Explanation explanation;
   std::vector<MemoryRow> memory;   // beside Lazarek and Hammer's
   std::vector<std::string> notes;  // of the loader and the gather: what was left out and why
@@ -59,10 +67,15 @@ struct Result {
   std::map<std::string, Bytes> downloads;
 };
 
-// Renders one frame. Throws std::invalid_argument for an option (unknown view, kernel or variant, empty size, a goal
-// that nothing produces), std::runtime_error naming both kernels for a cycle or two updaters, device::Error for the
-// device.
+// Throws std::invalid_argument for what no scene and no device can make right.
+void require(const Options&);
+// Renders one frame. Throws std::invalid_argument for an option (unknown view, kernel or variant, a view of rates that
+// do not vary, empty size, a goal that nothing produces), std::runtime_error naming both kernels for a cycle or two
+// updaters, device::Error for the device.
 Result render(device::Device&, const scene::Scene&, const scene::Camera&, const Options&);
+// What it leaves to the next, which drew with these options: luma only where the exposure was known, so that a shot's
+// first two frames have none.
+FrameHistory history_of(const Result&, const Options&);
 // The explanation alone: nothing is allocated or run.
 Explanation explain(const device::Info&, const scene::Scene&, const scene::Camera&, const Options&);
 

@@ -187,6 +187,33 @@ std::vector<Row> cluster_rows(const Looking& l) {
   return rows;
 }
 
+// Of the covered pixels.
+std::vector<Row> rate_rows(const Looking& l) {
+  const auto colours = l.palette.input<uint32_t>("vrcs_colours");
+  const VrcsShares& v = l.result.vrcs;
+  std::vector<Row> rows = {{colours[kColour1x1], "1x1, " + l.share(v.pixels_1x1, v.covered), v.pixels_1x1},
+                           {colours[kColour1x2], "1x2, " + l.share(v.pixels_1x2, v.covered), v.pixels_1x2},
+                           {colours[kColour2x1], "2x1, " + l.share(v.pixels_2x1, v.covered), v.pixels_2x1},
+                           {colours[kColour2x2], "2x2, " + l.share(v.pixels_2x2, v.covered), v.pixels_2x2}};
+  add_nothing_row(l, l.visibility(), rows);
+  return rows;
+}
+
+std::vector<Row> primary_rows(const Looking& l) {
+  const auto colours = l.palette.input<uint32_t>("vrcs_colours");
+  const VrcsShares& v = l.result.vrcs;
+  const uint64_t whole = v.tiles_1x1 + v.tiles_whole, mixed = v.tiles - v.tiles_sky - whole - v.tiles_2x2;
+  const auto of_tiles = [&](uint64_t tiles) { return l.share(tiles, v.tiles) + " of the tiles"; };
+  std::vector<Row> rows = {
+      {0x808080, fmt::format("{} of the pixels are shaded", l.share(v.primaries, v.covered)), ~uint64_t{0}},
+      {colours[kColourTileWhole], fmt::format("shaded whole, {}", of_tiles(whole)), whole},
+      {colours[kColourTile2x2], fmt::format("2x2, one pixel of four shaded, {}", of_tiles(v.tiles_2x2)), v.tiles_2x2},
+      {colours[kColourPrimary], fmt::format("primary pixel; mixed, {}", of_tiles(mixed)), mixed},
+      {colours[kColourDuplicate], "duplicate pixel", mixed}};
+  add_nothing_row(l, l.visibility(), rows);
+  return rows;
+}
+
 std::vector<Row> lit_rows(const Looking& l) {
   std::vector<Row> rows = {
       {0xffffff,
@@ -266,6 +293,10 @@ std::vector<Row> rows_of(const Looking& l, uint32_t view) {
       return wave_rows(l);
     case kViewClusters:
       return cluster_rows(l);
+    case kViewRate:
+      return rate_rows(l);
+    case kViewPrimary:
+      return primary_rows(l);
     default:
       return lit_rows(l);
   }

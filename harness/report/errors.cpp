@@ -53,7 +53,8 @@ std::vector<ErrorRow> measure_errors(device::Device& d, const Kernel& k, const V
   const device::Plan plan = {.kernel = &k, .variant = &v, .constants = constants};
   for (const HardCase& input : k.errors.classes) {
     const Case c = input.make();
-    rows.push_back({&k, &v, device::label_of(v, constants), input.name, k.errors.figures(v, c, written(d, plan, c))});
+    auto figures = k.errors.figures(v, c, written(d, plan, c));
+    if (!figures.empty()) rows.push_back({&k, &v, device::label_of(v, constants), input.name, std::move(figures)});
   }
   return rows;
 }

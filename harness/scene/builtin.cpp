@@ -198,6 +198,14 @@ Scene small() {
        .inner_rad = 0.3f,
        .outer_rad = 0.5f},
   };
+  const Motion lamp = {.reach = {0.8, 0, 0.4}, .period_s = 3};
+  s.lights[1].motion = lamp;
+  s.lights[2].motion = {.turn_rad = 0.3, .period_s = 4};
+  set_motion(s, "lamp", lamp);
+  set_motion(s, "banner", {.reach = {0, 0, 0.15}, .turn_rad = 0.2, .period_s = 2});
+  set_motion(s, "spiral", {.turn_rad = 1, .period_s = 6});
+  for (const Decal& d : s.decals)
+    if (d.receiver != kNone) s.instances[d.receiver].motion = {.turn_rad = 0.3, .period_s = 3};
   s.cameras = {look_at({0.6, 2.1, 7.2}, {0, 1.5, -2}, 0.785398)};
   s.cameras[0].name = "hall";
   return s;

@@ -23,6 +23,8 @@ uint32_t add_mesh(Scene&, Mesh, uint32_t material);  // with a last part
 uint32_t add_patch_mesh(Scene&, const std::string& name, uint32_t material, uint32_t columns, uint32_t rows,
                         const glm::vec2& repeats, const Patch&);
 void place(Scene&, uint32_t mesh, const glm::dvec3& at, double turn_rad = 0, const glm::dvec3& scale = glm::dvec3(1));
+// Of all instances of meshes of the name.
+void set_motion(Scene&, const std::string& mesh, const Motion&);
 
 // ---- Shapes that several scenes have
 glm::dvec3 sphere(double u, double v);  // radius 1, short of the poles, where u has no direction

@@ -68,6 +68,11 @@ void place(Scene& s, uint32_t mesh, const glm::dvec3& at, double turn_rad, const
   s.instances.push_back({mesh, glm::scale(glm::rotate(moved, turn_rad, glm::dvec3(0, 1, 0)), scale)});
 }
 
+void set_motion(Scene& s, const std::string& mesh, const Motion& motion) {
+  for (Instance& i : s.instances)
+    if (s.meshes[i.mesh].name == mesh) i.motion = motion;
+}
+
 glm::dvec3 sphere(double u, double v) {
   const double polar = (0.002 + 0.996 * v) * glm::pi<double>();
   return {std::sin(polar) * std::sin(u * kTau), -std::cos(polar), std::sin(polar) * std::cos(u * kTau)};

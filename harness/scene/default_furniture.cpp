@@ -126,6 +126,9 @@ void add_furniture(Scene& s, const Palette& palette) {
   add_glowing(s, palette);
   add_growths(s, palette);
   add_plants(s, palette);
+  set_motion(s, "banner", {.reach = {0, 0, 0.1}, .turn_rad = 0.15, .period_s = 2.3});
+  set_motion(s, "growth", {.reach = {0.1, 0, 0.05}, .turn_rad = 0.4, .period_s = 3});
+  set_motion(s, "bush", {.turn_rad = 0.08, .period_s = 2.5});
 }
 
 }  // namespace assay::scene::builtin

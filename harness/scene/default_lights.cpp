@@ -37,7 +37,8 @@ void add_points(Scene& s, uint32_t bay) {
                                      z + kBayLength_m * (pair / 10.0 - 0.45)},
                         .colour = hue(0.07 * i + 0.2 * bay),
                         .intensity = 1.5f,
-                        .range = 2.5f});
+                        .range = 2.5f,
+                        .motion = {.reach = {0.04, 0.02, 0.03}, .period_s = 0.7 + 0.1 * (i % 5)}});
   }
 }
 
@@ -78,7 +79,8 @@ void add_default_lights(Scene& s) {
                         .intensity = 120,
                         .range = 25,
                         .inner_rad = 0.05f,
-                        .outer_rad = 0.2f});
+                        .outer_rad = 0.2f,
+                        .motion = {.turn_rad = 0.3, .period_s = 5}});
 }
 
 }  // namespace assay::scene::builtin

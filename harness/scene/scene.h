@@ -58,9 +58,17 @@ struct Mesh {
   std::vector<uint32_t> indices;
   std::vector<Part> parts;
 };
+// To and fro about where a thing is at first: by `reach` and back, and by `turn_rad` about the vertical through it,
+// both with the sine of time. A decal moves with its receiver.
+struct Motion {
+  glm::dvec3 reach = {};  // metres
+  double turn_rad = 0;
+  double period_s = 1;
+};
 struct Instance {
   uint32_t mesh = 0;
   glm::dmat4 to_world = glm::dmat4(1);
+  Motion motion = {};
 };
 
 enum class LightKind { directional, point, spot };
@@ -71,6 +79,7 @@ struct Light {
   glm::dvec3 position = {};
   glm::vec3 direction = {0, 0, -1}, colour = {1, 1, 1};
   float intensity = 1, range = 0, inner_rad = 0, outer_rad = 0.785398f;
+  Motion motion = {};
 };
 // What makes the light no light; empty if it is sound.
 std::string fault_of(const Light&);
@@ -128,6 +137,13 @@ Camera default_camera(const Scene&);
 
 // A camera at `eye` that sees `target` in the middle of its image, y up where the direction allows it.
 Camera look_at(const glm::dvec3& eye, const glm::dvec3& target, double vertical_fov_rad);
+// A sequence at 60 Hz, a pure function of the frame's number; frame 0 is as it was made. `to` is the scene that `from`
+// is, or one that this moved before.
+constexpr double kFrame_s = 1.0 / 60;
+void move_to_frame(uint32_t frame, const Scene& from, Scene& to);
+// Who looks from side to side while walking forth and back.
+Camera camera_in_frame(const Camera&, uint32_t frame);
+
 // Every bit of formats/features.h that a pixel of the material has (features.cpp has the rules).
 uint32_t feature_bits(const Scene&, const Material&);
 

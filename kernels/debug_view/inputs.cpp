@@ -90,9 +90,11 @@ Case random_case(Random& r) {
                                 {"view_shader", 1},
                                 {"view_wave", 1},
                                 {"view_clusters", 1},
+                                {"view_rate", 1},
+                                {"view_primary", 1},
                                 {"view_unknown", 0.2}});
-  const uint32_t views[] = {kViewMaterial, kViewTriangle, kViewTile,     kViewWorkload,
-                            kViewShader,   kViewWave,     kViewClusters, 77};
+  const uint32_t views[] = {kViewMaterial, kViewTriangle, kViewTile, kViewWorkload, kViewShader,
+                            kViewWave,     kViewClusters, kViewRate, kViewPrimary,  77};
   Picture p = empty_picture(extent, views[view], 1 + r.rng.below(200), 1 + r.rng.below(40));
   for (uint32_t& c : p.material_colours) c = r.rng.next();
   for (uint32_t& m : p.masks) m = r.rng.below(5) ? r.rng.next() & r.rng.next() & r.rng.next() : 0;
@@ -115,6 +117,7 @@ Case random_case(Random& r) {
   if (p.view == kViewShader) add_slots(p, r.rng, 1 + r.rng.below(kShaderClasses));
   if (p.view == kViewWave) add_waves(p, r.rng, 1 + r.rng.below(kShaderClasses));
   if (p.view == kViewClusters) add_cells(p, r.rng, 1u << r.rng.below(9));
+  if (p.view == kViewRate || p.view == kViewPrimary) add_vrcs(p, r.rng);
   Case c = to_case(p);
   c.name = "random";
   return c;
@@ -122,15 +125,23 @@ Case random_case(Random& r) {
 
 std::vector<std::string> branches() {
   std::vector<std::string> all = kExtentBranches;
-  for (const char* b :
-       {"view_material", "view_triangle", "view_tile", "view_workload", "view_shader", "view_wave", "view_clusters",
-        "view_unknown", "indices_in_range", "indices_out_of_range", "lists_none", "lists_partition", "lists_hostile"})
+  for (const char* b : {"view_material", "view_triangle", "view_tile", "view_workload", "view_shader", "view_wave",
+                        "view_clusters", "view_rate", "view_primary", "view_unknown", "indices_in_range",
+                        "indices_out_of_range", "lists_none", "lists_partition", "lists_hostile"})
     all.push_back(b);
   return all;
 }
 
 std::vector<HardCase> hard_cases() {
   const auto busy = [](Extent e, uint32_t view) { return [=] { return to_case(busy_picture(e, view)); }; };
+  const auto vrcs = [](Extent e, uint32_t view) {
+    return [=] {
+      Picture p = busy_picture(e, view);
+      Pcg32 rng(8);
+      add_vrcs(p, rng);
+      return to_case(p);
+    };
+  };
   const uint32_t red = named_colour("RED"), green = named_colour("GREEN"), blue = named_colour("BLUE");
   return {
       {"one_pixel", "one lane of one group", busy({1, 1}, kViewMaterial)},
@@ -261,6 +272,9 @@ std::vector<HardCase> hard_cases() {
        [] {
          return to_case(busy_picture({33, 31}, kViewClusters));
        }},
+      {"rates", "every rate and unknown ones; an odd extent, whose last cells are cut", vrcs({101, 67}, kViewRate)},
+      {"primaries", "copy bits and tiles of every kind, of 223 to 226 primaries; partial tiles on both edges",
+       vrcs({169, 90}, kViewPrimary)},
       {"no_shader", "the shader and wave views of a scene without any",
        [] {
          Picture p = busy_picture({33, 31}, kViewWave);
@@ -327,6 +341,7 @@ Case in_frame(const FrameInputs& f) {
   c.set_input("shader_colours", shader_colours);
   c.set_input("material_colours", material_palette(f.scene.materials));
   c.set_input("heat_colours", heat_palette());
+  c.set_input("vrcs_colours", vrcs_palette());
   // One pass at a time can be shown, and the last is the one that shades every tile with a surface.
   std::vector<uint32_t> colours;
   for (const FrameWorkload& w : kFrameWorkloads)

@@ -11,11 +11,12 @@ Groups none() { return {0, 0, 0}; }
 uint32_t view_of(const Case& c) { return c.params<ViewParams>().view; }
 // The views that need more than the visibility have a pass of their own, and its inputs are bound for that view alone.
 bool has_own_pass(const Case& c) {
-  return view_of(c) == kViewTile || view_of(c) == kViewShader || view_of(c) == kViewClusters;
+  const uint32_t view = view_of(c);
+  return view == kViewTile || view == kViewShader || view == kViewClusters || view == kViewRate || view == kViewPrimary;
 }
-Groups for_tiles(const Case& c) { return view_of(c) == kViewTile ? per_pixel(c) : none(); }
-Groups for_shaders(const Case& c) { return view_of(c) == kViewShader ? per_pixel(c) : none(); }
-Groups for_clusters(const Case& c) { return view_of(c) == kViewClusters ? per_pixel(c) : none(); }
+Dispatch for_view(const char* shader, uint32_t view) {
+  return {.shader = shader, .groups = [view](const Case& c) { return view_of(c) == view ? per_pixel(c) : none(); }};
+}
 Groups per_run(const Case& c) { return {ceil_div(c.extent.width, 16 * kRunPixels), ceil_div(c.extent.height, 16), 1}; }
 uint64_t surfaces(const Case& c) { return c.params<ViewParams>().surfaces; }
 uint64_t materials(const Case& c) { return c.params<ViewParams>().materials; }
@@ -29,6 +30,13 @@ uint64_t shown_cells(const Case& c) {
 uint64_t slice_edges(const Case& c) { return uint64_t{c.params<ViewParams>().grid.slices} + 1; }
 uint64_t shown_slots(const Case& c) { return view_of(c) == kViewShader ? surfaces(c) : 0; }
 uint64_t shown_rows(const Case& c) { return view_of(c) == kViewWave ? command_rows(shaders(c)) : 0; }
+Extent shown_rates(const Case& c) { return view_of(c) == kViewRate ? tiles_of(c.extent, kCellSide) : Extent{1, 1}; }
+Extent shown_copies(const Case& c) { return view_of(c) == kViewPrimary ? c.extent : Extent{1, 1}; }
+uint64_t shown_tiles(const Case& c) { return view_of(c) == kViewPrimary ? tile_count(c.extent, kVrcsTileSide) : 0; }
+Port sized(Port port, Extent (*extent)(const Case&)) {
+  port.extent = extent;
+  return port;
+}
 uint64_t waves(const Case& c) { return view_of(c) == kViewWave ? command_waves(c.extent, shaders(c)) : 0; }
 uint64_t entries(const Case& c) { return waves(c) * kWaveSize; }
 
@@ -43,6 +51,10 @@ uint64_t bytes_of_view(const Case& c) {
     case kViewClusters:
       return scene + pixels(c) * sizeof(float) + shown_cells(c) * sizeof(uvec2) +
              (slice_edges(c) + kHeatColours) * sizeof(uint32_t);
+    case kViewRate:
+      return scene + pixel_count(shown_rates(c)) + kVrcsColours * sizeof(uint32_t);
+    case kViewPrimary:
+      return scene + pixels(c) + (shown_tiles(c) + kVrcsColours) * sizeof(uint32_t);
     case kViewWorkload:
       return scene + list_entries(c) * sizeof(uint32_t) +
              workloads(c) * (sizeof(WorkloadCount) + sizeof(DispatchArgs) + sizeof(uint32_t));
@@ -64,9 +76,11 @@ Cost cost(const Case& c) {
 std::vector<Pass> passes(const char* shader, Groups (*groups)(const Case&)) {
   return {
       Dispatch{.shader = shader, .groups = [groups](const Case& c) { return has_own_pass(c) ? none() : groups(c); }},
-      Dispatch{.shader = "tile.comp", .groups = for_tiles},
-      Dispatch{.shader = "shader.comp", .groups = for_shaders},
-      Dispatch{.shader = "clusters.comp", .groups = for_clusters},
+      for_view("tile.comp", kViewTile),
+      for_view("shader.comp", kViewShader),
+      for_view("clusters.comp", kViewClusters),
+      for_view("rate.comp", kViewRate),
+      for_view("primary.comp", kViewPrimary),
       Dispatch{.shader = "workload.comp", .indirect = "workload_args", .repeat = shown_workloads},
       Dispatch{.shader = "wave.comp", .indirect = "command_args", .repeat = shown_rows}};
 }
@@ -81,7 +95,8 @@ Kernel describe() {
       .params = layout_of<ViewParams>(),
       .ports = {reads_image("visibility", Format::rg32_uint, {"visibility.visibility"}),
                 reads<SurfaceRecord>("surfaces", surfaces, {"scene.surfaces"}),
-                reads<uint32_t>("material_colours", materials), reads<uint32_t>("heat_colours", fixed(kHeatColours)),
+                reads<uint32_t>("material_colours", materials),
+                reads<uint32_t>("heat_colours", fixed(kHeatColours)),
                 reads<uint32_t>("masks", tiles, {"tile_classification.masks"}),
                 reads<uint32_t>("workload_tiles", list_entries, {"tile_classification.workload_tiles"}),
                 reads<WorkloadCount>("workload_counts", workloads, {"tile_classification.workload_counts"}),
@@ -95,7 +110,12 @@ Kernel describe() {
                 reads<DispatchArgs>("command_args", shown_rows, {"pixel_commands.args"}),
                 reads_image("depth", Format::d32_float, {"visibility.depth"}),
                 reads<uvec2>("cells", shown_cells, {"cluster_lists.cells"}),
-                reads<float>("slice_edges", slice_edges, {"scene.slice_edges"}), writes<uint32_t>("image", pixels)},
+                reads<float>("slice_edges", slice_edges, {"scene.slice_edges"}),
+                sized(reads_image("rates", Format::r8_uint, {"vrcs_shading_rate.rates"}), shown_rates),
+                sized(reads_image("copy_bits", Format::r8_uint, {"vrcs_coordinates.copy_bits"}), shown_copies),
+                reads<uint32_t>("vrcs_tiles", shown_tiles, {"vrcs_coordinates.tiles"}),
+                reads<uint32_t>("vrcs_colours", fixed(kVrcsColours)),
+                writes<uint32_t>("image", pixels)},
       .variants = {{.name = "pixel", .passes = passes("pixel.comp", per_pixel), .note = "a thread a pixel"},
                    {.name = "run",
                     .passes = passes("run.comp", per_run),
@@ -125,7 +145,12 @@ Kernel describe() {
                   {"wave.comp", 18, "the rows' waves share their colours", "waves"},
                   {"wave.comp", 19, "a colour a workgroup", "waves"},
                   {"clusters.comp", 20, "one item is none", "cells"},
-                  {"clusters.comp", 21, "lights alone are counted", "cells"}},
+                  {"clusters.comp", 21, "lights alone are counted", "cells"},
+                  {"rate.comp", 22, "pairs across and down swapped", "rates"},
+                  {"rate.comp", 23, "a rate a pixel", "rates"},
+                  {"primary.comp", 24, "partial tiles are not counted in a row", "primaries"},
+                  {"primary.comp", 25, "224 primaries are all of a tile", "primaries"},
+                  {"primary.comp", 26, "whoever is copied by nobody is a duplicate", "primaries"}},
       .cost = cost,
       .typical = typical,
       .extents = {{256, 256}, {1280, 720}, {1920, 1080}, {3840, 2160}},

@@ -7,6 +7,7 @@
 #include "harness/formats/pixel_commands.h"
 #include "harness/formats/scene.h"
 #include "harness/formats/visibility.h"
+#include "harness/formats/vrcs.h"
 #include "harness/formats/workloads.h"
 #include "harness/shared.h"
 SHARED_BEGIN(debug_view)

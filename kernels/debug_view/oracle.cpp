@@ -108,8 +108,35 @@ struct View {
     return over(grey(v), unpacked(heat_colours[static_cast<size_t>(std::bit_width(items))]), 1);
   }
 
+  Colour vrcs(uint32_t place) const { return unpacked(c.input<uint32_t>("vrcs_colours")[place]); }
+
+  // Log2 of width and height of what is shaded once.
+  Colour rate(uint32_t x, uint32_t y, uvec2 v) const {
+    if (nothing(v)) return unpacked(kBackgroundColour);
+    const uint8_t code = c.input<uint8_t>("rates")[size_t{y} / 2 * ((params.width + 1) / 2) + x / 2];
+    const bool wide = code == 4 || code == 5, high = code == 1 || code == 5;
+    const bool known = wide || high || code == 0;
+    return over(known ? vrcs(wide ? (high ? kColour2x2 : kColour2x1) : (high ? kColour1x2 : kColour1x1))
+                      : unpacked(kBrokenColour),
+                grey(v), 3);
+  }
+
+  Colour primary(uint32_t x, uint32_t y, uvec2 v) const {
+    if (nothing(v)) return unpacked(kBackgroundColour);
+    const uint32_t word = c.input<uint32_t>("vrcs_tiles")[size_t{y} / 16 * ((params.width + 15) / 16) + x / 16];
+    const bool duplicate = c.input<uint8_t>("copy_bits")[size_t{y} * params.width + x] / 128 == 1;
+    const bool whole = word / kVrcsTile1x1 % 2 == 1 || word % 512 > 224, once = word / kVrcsTile2x2 % 2 == 1;
+    return over(vrcs(whole       ? kColourTileWhole
+                     : once      ? kColourTile2x2
+                     : duplicate ? kColourDuplicate
+                                 : kColourPrimary),
+                grey(v), 3);
+  }
+
   Colour at(uint32_t x, uint32_t y) const {
     const uvec2 v = visibility[size_t{y} * params.width + x];
+    if (params.view == kViewRate) return rate(x, y, v);
+    if (params.view == kViewPrimary) return primary(x, y, v);
     if (params.view == kViewTriangle) return triangle(v);
     if (params.view == kViewTile) return tile(x, y, v);
     if (params.view == kViewShader) return shader(v);

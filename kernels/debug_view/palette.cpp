@@ -51,6 +51,20 @@ std::vector<uint32_t> shader_palette(uint32_t count) {
   return colours;
 }
 
+// Rates from hot to cold by what they cost; yellow tiles are the source's (Fuller, Hammer 2025).
+std::vector<uint32_t> vrcs_palette() {
+  std::vector<uint32_t> colours(kVrcsColours);
+  colours[kColour1x1] = packed(0.9, 0.2, 0.15);
+  colours[kColour1x2] = packed(0.95, 0.65, 0.1);
+  colours[kColour2x1] = packed(0.15, 0.5, 0.95);
+  colours[kColour2x2] = packed(0.15, 0.75, 0.3);
+  colours[kColourPrimary] = packed(1, 1, 1);
+  colours[kColourDuplicate] = packed(0.2, 0.3, 0.6);
+  colours[kColourTileWhole] = named_colour("YELLOW");
+  colours[kColourTile2x2] = packed(0.15, 0.75, 0.3);
+  return colours;
+}
+
 uint32_t named_colour(const std::string& name) {
   if (name == "RED") return packed(0.9, 0.1, 0.1);
   if (name == "GREEN") return packed(0.1, 0.85, 0.15);

@@ -71,6 +71,18 @@ void add_cells(Picture& p, Pcg32& rng, uint32_t most) {
                                    : p.slice_edges[rng.below(p.grid.slices)]);
 }
 
+void add_vrcs(Picture& p, Pcg32& rng) {
+  constexpr uint8_t kRates[] = {kRate1x1, kRate1x2, kRate2x1, kRate2x2};
+  for (uint64_t i = tile_count(p.extent, kCellSide); i > 0; --i)
+    p.rates.push_back(rng.below(9) ? kRates[rng.below(4)] : static_cast<uint8_t>(rng.next()));
+  for (size_t i = 0; i < p.visibility.size(); ++i)
+    p.copy_bits.push_back(static_cast<uint8_t>(rng.below(2) ? kCopyDuplicate : rng.below(8)));
+  for (uint64_t i = tile_count(p.extent, kVrcsTileSide); i > 0; --i) {
+    constexpr uint32_t kFlags[] = {0, 0, 0, kVrcsTileSky, kVrcsTile1x1, kVrcsTile2x2, kVrcsTileFog, ~kVrcsTileCount};
+    p.vrcs_tiles.push_back(kFlags[rng.below(8)] | (rng.below(3) ? 223 + rng.below(4) : rng.below(512)));
+  }
+}
+
 Case to_case(const Picture& p) {
   Case c = {.extent = p.extent};
   c.set_params(ViewParams{p.extent.width, p.extent.height, p.view, static_cast<uint32_t>(p.surface_materials.size()),
@@ -106,6 +118,10 @@ Case to_case(const Picture& p) {
   c.set_input("command_args", p.waves.args);
   c.set_input("depth", p.depth.empty() ? std::vector<float>(pixel_count(p.extent)) : p.depth);
   c.set_input("cells", p.cells);
+  c.set_input("rates", p.view != kViewRate ? std::vector<uint8_t>{0} : p.rates);
+  c.set_input("copy_bits", p.view != kViewPrimary ? std::vector<uint8_t>{0} : p.copy_bits);
+  c.set_input("vrcs_tiles", p.view != kViewPrimary ? std::vector<uint32_t>() : p.vrcs_tiles);
+  c.set_input("vrcs_colours", vrcs_palette());
   c.set_input("slice_edges", p.slice_edges.empty() ? std::vector<float>{0} : p.slice_edges);
   return c;
 }

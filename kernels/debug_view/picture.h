@@ -33,6 +33,9 @@ struct Picture {
   ClusterGrid grid = {};
   std::vector<float> depth = {}, slice_edges = {};
   std::vector<uvec2> cells = {};
+  // Of the rate and the primary view.
+  std::vector<uint8_t> rates = {}, copy_bits = {};
+  std::vector<uint32_t> vrcs_tiles = {};
 
   uvec2& at(uint32_t x, uint32_t y) { return visibility[size_t{y} * extent.width + x]; }
   uint32_t tile_total() const { return static_cast<uint32_t>(tile_count(extent, kTileSide)); }
@@ -48,6 +51,8 @@ List list_of(std::vector<uint32_t> tiles, uint32_t colour, uint32_t groups_per_t
 WaveLists wave_lists(Extent, uint32_t shaders, std::span<const uvec2> pixels, Pcg32&);
 // Depths over all of 5 slices, and cells of 12 x 20 pixels of up to `most` items of each kind.
 void add_cells(Picture&, Pcg32&, uint32_t most);
+// Rates, the unknown among them, copy bits of all kinds, and tiles of every flag and count.
+void add_vrcs(Picture&, Pcg32&);
 Case to_case(const Picture&);
 
 }  // namespace assay::debug_view

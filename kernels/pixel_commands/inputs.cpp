@@ -204,6 +204,7 @@ Case frame(const FrameInputs& f) {
   s.params.height = f.extent.height;
   s.params.surfaces = f.scene.surfaces;
   s.params.waves = static_cast<uint>(command_waves(f.extent, f.scene.visible_shaders));
+  s.params.copies = f.vrcs;
   c.set_params(s.params);
   return c;
 }

@@ -9,17 +9,25 @@ namespace assay::vrcs_coordinates {
 
 using vrcs::Pictured;
 
+namespace {
+
+VrcsParams usual(Extent e, uint focal_x, uint focal_y) {
+  return {.width = e.width,
+          .height = e.height,
+          .near_plane = 0.1f,
+          .depth_scale = static_cast<float>(kVrcsDepthCodes / 999.9),
+          .close_normals_log2 = 5,  // 10 degrees
+          .close_depths_log2 = 6,
+          .focal_x = focal_x,
+          .focal_y = focal_y};
+}
+
+}  // namespace
+
 Case case_of(const Pictured& s) {
   Case c{.extent = s.extent};
   const uint focal = vrcs::focal_of(s.extent);
-  c.set_params(VrcsParams{.width = s.extent.width,
-                          .height = s.extent.height,
-                          .near_plane = 0.1f,
-                          .depth_scale = static_cast<float>(kVrcsDepthCodes / 999.9),
-                          .close_normals_log2 = 5,  // 10 degrees
-                          .close_depths_log2 = 6,
-                          .focal_x = focal,
-                          .focal_y = focal});
+  c.set_params(usual(s.extent, focal, focal));
   c.set_input("visibility", s.visibility);
   c.set_input("depth", s.depth);
   c.set_input("face_normals", s.face_normals);
@@ -35,6 +43,19 @@ Case with_params(Case c, const std::function<void(VrcsParams&)>& change) {
 }
 
 Case typical(Extent e) { return case_of(vrcs::typical_screen(e)); }
+
+// With full rates everywhere there are no tiles.
+Case in_frame(const FrameInputs& f) {
+  Case c = {.name = "frame", .extent = f.vrcs ? f.extent : Extent{0, 0}};
+  // In pixels, of a view plane a metre away; a ray's steps are metres a pixel.
+  const auto focal = [](const vec3& step) { return static_cast<uint>(std::lround(std::min(1e6f, 1 / length(step)))); };
+  VrcsParams p = usual(f.extent, focal(f.rays.across), focal(f.rays.down));
+  p.frame = f.frame;
+  p.all_1x1 = f.history.luma.empty();
+  p.near_plane = f.near_plane;
+  c.set_params(p);
+  return c;
+}
 
 namespace {
 

@@ -8,6 +8,7 @@ namespace assay::vrcs_coordinates {
 
 Inputs inputs();
 Case typical(Extent);
+Case in_frame(const FrameInputs&);
 std::vector<Mutant> mutants();
 ErrorTable figures_table();  // what each rule leaves to be shaded
 

@@ -69,9 +69,9 @@ Kernel describe() {
       .params = layout_of<VrcsParams>(),
       .ports = {rates(), reads_image("visibility", Format::rg32_uint, {"visibility.visibility"}),
                 reads_image("depth", Format::d32_float, {"visibility.depth"}),
-                only_in("stored_normal", reads_image("face_normals", Format::rg16_snorm)), writes<uint>("tiles", tiles),
-                writes<uint>("entries", entries), writes_image("copy_bits", Format::r8_uint),
-                only_in("compact", writes<uint>("list", pixels)),
+                only_in("stored_normal", reads_image("face_normals", Format::rg16_snorm, {"visibility.face_normals"})),
+                writes<uint>("tiles", tiles), writes<uint>("entries", entries),
+                writes_image("copy_bits", Format::r8_uint), only_in("compact", writes<uint>("list", pixels)),
                 only_in("compact", writes<uint>("list_count", fixed(1))),
                 only_in("compact", writes<DispatchArgs>("list_args", fixed(1)))},
       .variants = {{.name = "tile_list",
@@ -96,6 +96,7 @@ Kernel describe() {
       .cost = cost,
       .typical = typical,
       .extents = {{640, 360}, {1920, 1080}, {3840, 2160}},
+      .frame = in_frame,
       .errors = figures_table(),
   };
 }

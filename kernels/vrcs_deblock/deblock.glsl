@@ -5,6 +5,7 @@
 #include "kernels/vrcs_deblock/duplicates.glsl"
 #include "kernels/vrcs_deblock/halves.glsl"
 #include "kernels/vrcs_deblock/luma.glsl"
+#include "kernels/vrcs_deblock/nearest_halves.glsl"
 
 uvec2 texel_at(ivec2 pixel);
 bool belongs(ivec2 pixel, ivec2 neighbour);

@@ -364,8 +364,8 @@ std::vector<HardCase> hard_cases() {
 }
 
 std::vector<Mutant> mutants() {
-  return {{"halves.glsl", 1, "means are truncated", "rate_1x2"},
-          {"halves.glsl", 2, "red and green swapped", "rate_1x2"},
+  return {{"nearest_halves.glsl", 1, "means are truncated", "rate_1x2"},
+          {"nearest_halves.glsl", 2, "red and green swapped", "rate_1x2"},
           {"duplicates.glsl", 3, "the last column is not on the screen", "odd_extent"},
           {"duplicates.glsl", 4, "the upper left in every frame", "all_2x2_odd"},
           {"duplicates.glsl", 5, "the diagonal duplicate is forgotten", "all_2x2_even"},
@@ -381,6 +381,7 @@ std::vector<Mutant> mutants() {
           {"guarded.comp", 15, "the farther neighbour is close", "fold"},
           {"guarded_by_triangle.comp", 16, "triangles of all surfaces alike", "same_triangle_index"},
           {"in_place.comp", 17, "nothing is stored", "rate_1x2"},
+          {"luma_alone.comp", 18, "the last column has none", "all_1x1"},
           {"half_codes.comp", 20, "halves by columns", "all_1x1"},
           {"harness/glsl/tone_curve.glsl", 9701, "a bucket's first code for all of it", "all_1x1"},
           {"harness/glsl/tone_curve.glsl", 9702, "what is past the last bucket is black", "all_1x1"}};

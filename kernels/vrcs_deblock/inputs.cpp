@@ -54,8 +54,26 @@ void copy_primaries(const Picture& p, const Lists& lists, std::vector<Texel>& te
 
 }  // namespace
 
-Case case_of(const Picture& p, const Lists& lists) {
+namespace {
+
+void set_display(Case& c, float exposure) {
   static const std::vector<float> thresholds = code_thresholds();
+  c.set_input("exposure", std::vector{ExposureRecord{0, 0, 0, exposure}});
+  c.set_input("thresholds", thresholds);
+  c.set_input("first_codes", bucket_codes(thresholds));
+}
+
+}  // namespace
+
+// With full rates everywhere there are no tiles. Without an exposure luma is 0.
+Case in_frame(const FrameInputs& f) {
+  Case c = {.name = "frame", .extent = f.vrcs ? f.extent : Extent{0, 0}};
+  c.set_params(DeblockParams{f.extent.width, f.extent.height, f.frame});
+  set_display(c, f.history.exposure);
+  return c;
+}
+
+Case case_of(const Picture& p, const Lists& lists) {
   Case c = {.extent = p.extent};
   c.set_params(DeblockParams{p.extent.width, p.extent.height, p.frame});
   std::vector<Texel> texels = p.texels;
@@ -66,9 +84,7 @@ Case case_of(const Picture& p, const Lists& lists) {
   c.set_input("depth", p.depth);
   c.set_input("tiles", lists.tiles);
   c.set_input("entries", lists.entries);
-  c.set_input("exposure", std::vector{ExposureRecord{0, 0, 0, p.exposure}});
-  c.set_input("thresholds", thresholds);
-  c.set_input("first_codes", bucket_codes(thresholds));
+  set_display(c, p.exposure);
   return c;
 }
 Case case_of(const Picture& p) { return case_of(p, lists_of(p)); }

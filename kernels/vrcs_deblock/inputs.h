@@ -41,6 +41,7 @@ Lists lists_of(const Picture&);  // the picture's own
 Case case_of(const Picture&);
 Case case_of(const Picture&, const Lists&);
 
+Case in_frame(const FrameInputs&);
 Case typical(Extent);  // a fifth of sky, triangles of 24 pixels, a rate a tile
 Inputs inputs();
 std::vector<HardCase> hard_cases();  // hard.cpp

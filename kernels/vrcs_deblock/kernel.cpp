@@ -8,8 +8,10 @@ namespace assay::vrcs_deblock {
 namespace {
 
 const std::vector<std::string> kApart = {"ping_pong", "guarded", "guarded_by_triangle"};
+const std::vector<std::string> kListed = {"ping_pong", "in_place", "guarded", "guarded_by_triangle"};
+const std::vector<std::string> kReading = {"ping_pong", "guarded", "guarded_by_triangle", "luma_alone"};
 
-Groups per_256_halves(const Case&) { return {16, 16, 1}; }
+Groups per_256_halves(const Case& c) { return pixels(c) == 0 ? Groups{0, 1, 1} : Groups{16, 16, 1}; }
 Groups per_tile(const Case& c) {
   const Extent tiles = tiles_of(c.extent, kVrcsTileSide);
   return {tiles.width, tiles.height, 1};
@@ -62,6 +64,17 @@ Variant variant(const std::string& name, const std::string& of, const std::strin
   return {.name = name, .passes = passes(name + ".comp"), .bounds = bounds(of), .note = note};
 }
 
+Variant luma_alone() {
+  Variant v = variant("luma_alone", "", "nothing is deblocked: only what the next frame's rates are made of");
+  v.bounds = {{half_codes(), named(exact("luma", "codes by comparison, weights in whole numbers"), " of luma_alone")}};
+  v.cost = [](const Case& c) {
+    return Cost{.bytes_read = pixels(c) * 8 + sizeof(ExposureRecord) + uint64_t{kCodes + kBuckets} * 4,
+                .bytes_written = pixels(c) * 2 + 65536,
+                .operations = pixels(c) * 40};
+  };
+  return v;
+}
+
 // Each port of the default once.
 Cost cost(const Case& c) {
   return {.bytes_read =
@@ -78,10 +91,10 @@ Kernel describe() {
       .source = "Fuller, Hammer 2025, Activision's Deblocker; Drobot 2020",
       .default_variant = "ping_pong",
       .params = layout_of<DeblockParams>(),
-      .ports = {words_of_radiance("radiance", Use::reads, kApart, {"deferred_lighting.radiance"}),
+      .ports = {words_of_radiance("radiance", Use::reads, kReading, {"deferred_lighting.radiance"}),
                 words_of_radiance("radiance_in_place", Use::updates, {"in_place"}, {"deferred_lighting.radiance"}),
-                reads<uint>("tiles", tiles, {"vrcs_coordinates.tiles"}),
-                reads<uint>("entries", entries, {"vrcs_coordinates.entries"}),
+                only_in(kListed, reads<uint>("tiles", tiles, {"vrcs_coordinates.tiles"})),
+                only_in(kListed, reads<uint>("entries", entries, {"vrcs_coordinates.entries"})),
                 reads<ExposureRecord>("exposure", fixed(1)), reads<float>("thresholds", fixed(kCodes)),
                 reads<uint>("first_codes", fixed(kBuckets)), half_codes_port(),
                 only_in({"guarded", "guarded_by_triangle"},
@@ -94,7 +107,8 @@ Kernel describe() {
                     .bounds = ranges(),
                     .note = "one image: a neighbour may have changed already"},
                    variant("guarded", " of guarded", "neighbours of the surface at about the pixel's depth"),
-                   variant("guarded_by_triangle", " of guarded_by_triangle", "neighbours of the triangle")},
+                   variant("guarded_by_triangle", " of guarded_by_triangle", "neighbours of the triangle"),
+                   luma_alone()},
       .oracle = answers,
       .inputs = inputs(),
       .bounds = bounds(""),
@@ -102,6 +116,7 @@ Kernel describe() {
       .cost = cost,
       .typical = typical,
       .extents = {{640, 360}, {1920, 1080}, {3840, 2160}},
+      .frame = in_frame,
       .errors = error_table(),
   };
 }

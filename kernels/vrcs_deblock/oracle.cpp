@@ -173,6 +173,7 @@ Answer answers(const Case& c) {
     answer["luma" + of] = expect_all(lumas(luma, texels));
   };
   add("", {});
+  answer["luma of luma_alone"] = expect_all(lumas(luma, radiance(c)));
   add(" of guarded", belongs_by_depth(c));
   add(" of guarded_by_triangle", belongs_by_triangle(c));
   add_in_place(answer, c, kinds, luma);

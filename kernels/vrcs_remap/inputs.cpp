@@ -35,6 +35,12 @@ Case hostile(Case c, const std::string& input, const std::function<void(std::vec
 
 Case typical(Extent e) { return case_of(vrcs::typical_screen(e).view(0), 1); }
 
+Case in_frame(const FrameInputs& f) {
+  Case c = {.name = "frame", .extent = f.extent};
+  c.set_params(RemapParams{f.extent.width, f.extent.height, f.frame, 0});
+  return c;
+}
+
 namespace {
 
 // One word in `one_in` by any other.

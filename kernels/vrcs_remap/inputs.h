@@ -8,6 +8,7 @@ namespace assay::vrcs_remap {
 
 Inputs inputs();
 Case typical(Extent);
+Case in_frame(const FrameInputs&);
 std::vector<Mutant> mutants();
 
 // For hard.cpp. The lists that the oracle of the coordinates makes of a screen, its tiles in the screen's list in the

@@ -60,6 +60,7 @@ Kernel describe() {
       .cost = cost,
       .typical = typical,
       .extents = {{640, 360}, {1920, 1080}, {3840, 2160}},
+      .frame = in_frame,
   };
 }
 

@@ -101,6 +101,19 @@ Case typical(Extent e) {
   return c;
 }
 
+// With full rates everywhere there are no cells.
+Case in_frame(const FrameInputs& f) {
+  if (!f.vrcs) return case_of({0, 0}, {}, usual({0, 0}));
+  RateParams p = usual(f.extent);
+  p.tolerance = f.vrcs_tolerance;
+  p.extra_half = kUsualExtraHalf;
+  p.flags = f.history.luma.empty() ? kAllFull : 0;
+  Case c = case_of(f.extent, {}, p);
+  c.name = "frame";
+  c.inputs["luma"] = f.history.luma.empty() ? Bytes(pixel_count(f.extent) * 2) : f.history.luma;
+  return c;
+}
+
 namespace {
 
 RateParams random_params(Random& r, Extent e) {

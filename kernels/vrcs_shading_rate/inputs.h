@@ -6,6 +6,7 @@
 namespace assay::vrcs_shading_rate {
 
 Case typical(Extent);
+Case in_frame(const FrameInputs&);
 Inputs inputs();
 std::vector<Mutant> mutants();
 

@@ -40,7 +40,7 @@ Kernel describe() {
           "Shading",
       .default_variant = "second_difference_8",
       .params = layout_of<RateParams>(),
-      .ports = {reads_image("luma", Format::rg8_unorm, {"vrcs_deblock.luma"}), rates},
+      .ports = {reads_image("luma", Format::rg8_unorm), rates},
       .variants = {variant(Estimator::second_difference, 8, "what the deblocked duplicates are off, of all phases"),
                    variant(Estimator::second_difference, 2, "the same, a rate a cell"),
                    variant(Estimator::first_difference, 8, "what copied duplicates are off, of all phases"),
@@ -56,6 +56,7 @@ Kernel describe() {
       .cost = cost,
       .typical = typical,
       .extents = {{640, 360}, {1920, 1080}, {3840, 2160}},
+      .frame = in_frame,
   };
   k.bounds = *k.variants.front().bounds;
   return k;
