@@ -45,7 +45,9 @@ Extent fine_cell(Extent picture) {
 
 uint32_t first_of_level(Extent picture, uint32_t level) {
   uint32_t first = 0;
-  for (uint32_t k = 1; k < level; ++k) first += ceil_div(picture.width, 1u << k) * ceil_div(picture.height, 1u << k);
+  const uint32_t side = std::max(picture.width, picture.height);
+  for (uint32_t k = 1; k < level && side > 1u << k; ++k)
+    first += ceil_div(picture.width, 1u << k) * ceil_div(picture.height, 1u << k);
   return first;
 }
 

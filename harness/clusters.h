@@ -22,7 +22,8 @@ ClusterGrid grid_over(Extent picture, Extent cell, uint32_t slices);
 Extent coarse_cell(Extent picture);
 Extent fine_cell(Extent picture);
 
-// Where a level of a picture's depth pyramid begins (kernels/hi_z): after those from 1 on, sides rounded up.
+// Where a level of a picture's depth pyramid begins (kernels/hi_z): after those from 1 on, sides rounded up. Of a
+// picture that has fewer levels, the last, of one texel.
 uint32_t first_of_level(Extent picture, uint32_t level);
 // Entries that the frame gives the cells' lists: all that the cells may hold, 2^22 (16 MiB) at most.
 uint32_t list_capacity(const ClusterGrid&);

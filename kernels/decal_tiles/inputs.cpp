@@ -76,10 +76,9 @@ Case typical(Extent e) {
 }
 
 Case in_frame(const FrameInputs& f) {
-  uint32_t level = 1;  // of 16 pixels, or the last where there is none
-  while (level < 4 && std::max(f.extent.width, f.extent.height) > 1u << level) ++level;
+  constexpr uint32_t kLevel = 4;  // of 16 pixels
   Case c = {.name = "frame", .extent = f.extent};
-  c.set_params(DecalTileParams{f.extent.width, f.extent.height, first_of_level(f.extent, level), f.grid});
+  c.set_params(DecalTileParams{f.extent.width, f.extent.height, first_of_level(f.extent, kLevel), f.grid});
   return c;
 }
 
