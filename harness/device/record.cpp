@@ -119,8 +119,12 @@ void encode(Recorder& r, const Command& c, uint32_t& stamp) {
       memory_barrier(r.commands, stages_of(c.from, r.queue.flags), stages_of(c.to, r.queue.flags));
       return;
     case Command::Kind::timestamp:
-      if (r.queue.timestamp_bits > 0)
-        vkCmdWriteTimestamp2(r.commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, r.queue.queries, stamp++);
+      if (r.queue.timestamp_bits == 0) return;
+      vkCmdWriteTimestamp2(r.commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, r.queue.queries, stamp++);
+      // lavapipe writes it at the next barrier: without one here a dispatch that needs none would count as before it.
+      if (r.device.physical.info.type == "cpu")
+        memory_barrier(r.commands, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, 0, 0},
+                       {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, 0, 0});
       return;
     default:
       break;
