@@ -272,7 +272,7 @@ Result render(device::Device& d, const scene::Scene& scene, const scene::Camera&
 
   Result r = {.size = options.size};
   r.title = fmt::format("{}, {}x{}, {}", scene.name, options.size.width, options.size.height, options.view);
-  r.passes = pass_times(timing);
+  r.passes = pass_times(commands, timing);
   r.gpu_ns = timing.stamps.empty() ? 0 : timing.stamps.back().time_ns;
   r.cpu_ns = timing.cpu_ns;
   r.explanation = explain(p.graph, p.scene_bytes);

@@ -110,7 +110,7 @@ void fill_cells(Random& r, View& v) {
 }
 
 Case random_case(Random& r) {
-  const Extent e = random_extent(r, kDecalTileSide);
+  const Extent e = random_extent(r, 2 * kDecalTileSide);
   View v(e, random_cell(r, e), 1 + r.rng.below(kMaxClusterSlices));
   v.depth = vrcs::random_screen(r, e).depth;
   fill_cells(r, v);

@@ -7,11 +7,6 @@
 
 shared uint runs_of[THREADS];
 
-uint run_length(uint rest) {  // of the first run in `rest`
-  const uint later = rest & rest - 1u;
-  return (later != 0u ? findLSB(later) : kPixelsPerThread) - findLSB(rest);
-}
-
 // run_place becomes that of its group's first pixel.
 void place_groups() {
   for (uint r = 0u; r < bitCount(run_starts); ++r) {
@@ -44,16 +39,17 @@ void list_pixels(uint tile) {
   uint k = first_run;
   for (uint rest = run_starts; rest != 0u; rest &= rest - 1u) {
     RUN_GROUP[k] = run_place[k - first_run];
-    RUN_LENGTH[k] = run_length(rest);
+    RUN_LENGTH[k] = bitCount(pixels_of_run(rest));
     ++k;
   }
   barrier();
   k = first_run;
   for (uint rest = run_starts; rest != 0u; rest &= rest - 1u) {
-    const uint start = findLSB(rest);
-    const uint place = RUN_GROUP[k] == kNowhere ? kNowhere : behind(RUN_GROUP[k], k, first_run);
-    for (uint i = 0u; place != kNowhere && i < run_length(rest); ++i)
-      list_pixel(tile, place + i, first_pixel() + start + i, copies_of_pixel(pixel_of_thread(start + i)));
+    uint place = RUN_GROUP[k] == kNowhere ? kNowhere : behind(RUN_GROUP[k], k, first_run);
+    for (uint counted = place == kNowhere ? 0u : pixels_of_run(rest); counted != 0u; counted &= counted - 1u, ++place) {
+      const uint i = findLSB(counted);
+      list_pixel(tile, place, first_pixel() + i, copies_of_pixel(pixel_of_thread(i)));
+    }
     ++k;
   }
 }

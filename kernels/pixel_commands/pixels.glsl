@@ -7,9 +7,10 @@ uint copy_bits_of(uvec2 pixel) { return texelFetch(copy_bits, ivec2(pixel), 0).x
 uint copy_bits_of(uvec2 pixel) { return 0u; }
 #endif
 
+bool is_duplicate(uvec2 pixel) { return on_screen(pixel, extent()) && (copy_bits_of(pixel) & kCopyDuplicate) != 0u; }
+
 uint surface_of_pixel(uvec2 pixel) {
-  if (!on_screen(pixel, extent())) return kNoSurface;
-  if ((copy_bits_of(pixel) & kCopyDuplicate) != 0u) return kNoSurface;
+  if (!on_screen(pixel, extent()) || is_duplicate(pixel)) return kNoSurface;
   const uvec2 seen = texelFetch(visibility, ivec2(pixel), 0).xy;
 #ifdef MUTANT_2  // a triangle of all ones is taken for nothing
   if (seen.x == kVisibilityNone) return kNoSurface;
