@@ -11,6 +11,7 @@
 #include "harness/formats/cluster_lists.h"
 #include "harness/formats/debug_view.h"
 #include "harness/formats/exposure.h"
+#include "harness/frame/downloads.h"
 #include "harness/frame/hazards.h"
 #include "harness/frame/legend.h"
 #include "harness/frame/record.h"
@@ -198,11 +199,8 @@ void show(Result& r, const Prepared& p, const scene::Scene& scene) {
 
 template <class T>
 std::vector<T> values_of(const Result& r, const std::string& name) {
-  const auto it = r.downloads.find(name);
-  if (it == r.downloads.end()) throw std::invalid_argument("the frame holds no " + name);
-  std::vector<T> values(it->second.size() / sizeof(T));
-  std::memcpy(values.data(), it->second.data(), values.size() * sizeof(T));
-  return values;
+  if (!r.downloads.contains(name)) throw std::invalid_argument("the frame holds no " + name);
+  return frame::values_of<T>(r.downloads, name);
 }
 
 // What found no room in the lists of cells is missing from the picture.

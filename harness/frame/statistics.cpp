@@ -2,22 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
-
 #include "harness/formats/workloads.h"
+#include "harness/frame/downloads.h"
 
 namespace assay::frame {
 
 namespace {
-
-template <class T>
-std::vector<T> values_of(const std::map<std::string, Bytes>& downloads, const std::string& name) {
-  const auto it = downloads.find(name);
-  if (it == downloads.end()) return {};
-  std::vector<T> values(it->second.size() / sizeof(T));
-  std::memcpy(values.data(), it->second.data(), values.size() * sizeof(T));
-  return values;
-}
 
 double percent(uint32_t part, uint32_t of) { return of ? 100.0 * part / of : 0.0; }
 

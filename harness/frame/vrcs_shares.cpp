@@ -1,23 +1,13 @@
 #include "harness/frame/vrcs_shares.h"
 
-#include <cstring>
-
 #include "harness/formats/pixel_commands.h"
 #include "harness/formats/visibility.h"
 #include "harness/formats/vrcs.h"
+#include "harness/frame/downloads.h"
 
 namespace assay::frame {
 
 namespace {
-
-template <class T>
-std::vector<T> values_of(const std::map<std::string, Bytes>& downloads, const std::string& name) {
-  const auto it = downloads.find(name);
-  if (it == downloads.end()) return {};
-  std::vector<T> values(it->second.size() / sizeof(T));
-  std::memcpy(values.data(), it->second.data(), values.size() * sizeof(T));
-  return values;
-}
 
 uint64_t& by_rate(VrcsShares& s, uint8_t rate) {
   switch (rate) {
