@@ -13,10 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include "harness/formats/clusters.h"
-#include "harness/formats/decal.h"
-#include "harness/formats/light.h"
-#include "harness/formats/scene.h"
+#include "harness/frame_inputs.h"
 #include "harness/layout_table.h"
 #include "harness/texture.h"
 
@@ -24,9 +21,6 @@ namespace assay {
 
 // ---- Sizes ---------------------------------------------------------------------------------------------------------
 
-struct Extent {  // pixels
-  uint32_t width = 1, height = 1;
-};
 struct Groups {  // workgroups of a dispatch
   uint32_t x = 1, y = 1, z = 1;
 };
@@ -338,30 +332,6 @@ struct Mutant {
   uint32_t n;
   std::string fault;
   std::string killed_by;  // a hard case's name
-};
-
-// What a frame leaves to the next of its shot, for variable rates.
-struct FrameHistory {
-  Extent extent = {};
-  Bytes luma = {};     // rg8_unorm (formats/vrcs.h); empty: there is none
-  float exposure = 0;  // what its radiance was multiplied by; 0: not known
-};
-
-// What the frame tells a kernel about the view that is drawn.
-struct FrameInputs {
-  Extent extent = {};
-  SceneCounts scene = {};
-  DecalCounts decals = {};
-  std::vector<uint32_t> shaders = {};  // visible shader classes (formats/material.h), ascending: slot -> class
-  ViewRays rays = {};
-  ClusterGrid grid = {};  // without cells: clusters are off
-  float near_plane = 0.1f;
-  float exposure_stops = 0;   // added to the automatic exposure
-  uint32_t frame = 0;         // its number in a sequence
-  bool vrcs = false;          // shading rates vary: passes shade primaries and copy (harness/formats/vrcs.h)
-  float vrcs_tolerance = 0;   // error that is let pass, of luma 0..1
-  FrameHistory history = {};  // of this extent; without luma all rates are 1x1
-  uint32_t view = 0;          // the debug view asked for (kernels/debug_view/layout.h)
 };
 
 struct Kernel {

@@ -18,6 +18,10 @@ struct LightRecord {
   vec3 direction;  // unit, the way the light travels; of spots and directional ones
   float cone_scale;
   float cone_offset;
+  // Its views in the shadow atlas (formats/shadow.h): none, one of a spot, six of a point light, a directional light's
+  // cascades, nearest first.
+  uint first_view;
+  uint views;
 };
 
 // From a pixel and its reversed depth to the position relative to the camera: w = near / depth is the view depth, the
@@ -29,7 +33,7 @@ struct ViewRays {
 };
 
 #ifdef __cplusplus
-SHARED_LAYOUT(LightRecord, position, range, colour, kind, direction, cone_scale, cone_offset);
+SHARED_LAYOUT(LightRecord, position, range, colour, kind, direction, cone_scale, cone_offset, first_view, views);
 SHARED_LAYOUT(ViewRays, corner, across, down);
 #endif
 SHARED_END

@@ -21,7 +21,14 @@ std::map<std::string, std::span<const std::byte>> scene_buffers(const scene::Gat
           {"scene.receivers", std::as_bytes(std::span(g.receivers))},
           {"scene.cluster_items", std::as_bytes(std::span(g.cluster_items))},
           {"scene.cluster_edges", std::as_bytes(std::span(g.cluster_edges))},
-          {"scene.slice_edges", std::as_bytes(std::span(g.slice_edges))}};
+          {"scene.slice_edges", std::as_bytes(std::span(g.slice_edges))},
+          {"scene.shadow_views", std::as_bytes(std::span(g.shadow_views))},
+          {"scene.shadow_casters", std::as_bytes(std::span(g.shadow_casters))},
+          {"scene.shadow_draws", std::as_bytes(std::span(g.shadow_draws))},
+          {"scene.shadow_still_tiles", std::as_bytes(std::span(g.shadow_still_tiles))},
+          {"scene.shadow_tiles", std::as_bytes(std::span(g.shadow_tiles))},
+          {"scene.particles", std::as_bytes(std::span(g.particles))},
+          {"scene.particle_order", std::as_bytes(std::span(g.particle_order))}};
 }
 
 std::map<std::string, std::span<const Texture>> scene_textures(const scene::Gathered& g) {

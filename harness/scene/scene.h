@@ -13,7 +13,9 @@
 #include "harness/formats/features.h"
 #include "harness/formats/light.h"
 #include "harness/formats/material.h"
+#include "harness/formats/particle.h"
 #include "harness/formats/scene.h"
+#include "harness/formats/shadow.h"
 #include "harness/kernel.h"
 
 namespace assay::scene {
@@ -79,6 +81,7 @@ struct Light {
   glm::dvec3 position = {};
   glm::vec3 direction = {0, 0, -1}, colour = {1, 1, 1};
   float intensity = 1, range = 0, inner_rad = 0, outer_rad = 0.785398f;
+  bool casts_shadows = false;
   Motion motion = {};
 };
 // What makes the light no light; empty if it is sound.
@@ -98,6 +101,14 @@ struct Decal {
   uint32_t normal_mode = kNormalWhiteout;
   uint32_t receiver = kNone;  // an instance, in whose space the box is then, and with which it moves
 };
+// A soft disc that faces the viewer.
+struct Particle {
+  glm::dvec3 centre = {};
+  glm::dvec3 velocity = {};  // metres a second; it drifts so, and is longer along it
+  float radius = 0.1f;       // metres
+  glm::vec3 albedo = {1, 1, 1};
+  float opacity = 0.5f, softness = 0.2f, quality = 1;  // as in formats/particle.h
+};
 struct Camera {  // looks along -z of its own axes, x right, y up
   std::string name;
   glm::dvec3 eye = {};
@@ -114,6 +125,7 @@ struct Scene {
   std::vector<Instance> instances;
   std::vector<Light> lights;
   std::vector<Decal> decals;  // a later one lies over an earlier
+  std::vector<Particle> particles;
   std::vector<Camera> cameras;
   std::vector<std::string> notes;  // what the file holds and was left out, a line each
 };
@@ -178,10 +190,17 @@ struct Gathered {
   std::vector<ClusterItem> cluster_items;  // view space; of each light, then of each decal
   std::vector<Texture> textures;           // one array a (size, format)
   DecalCounts decal_counts = {};
-  std::vector<DecalRecord> decals;                       // of those that reach the view, in the scene's order
-  std::vector<ReceiverRecord> receivers;                 // instances that they lie on
-  std::vector<Texture> decal_atlas;                      // none, or kAtlas...
-  std::vector<uint32_t> surface_instance, surface_part;  // back to the scene, for reference renderers
+  std::vector<DecalRecord> decals;        // of those that reach the view, in the scene's order
+  std::vector<ReceiverRecord> receivers;  // instances that they lie on
+  std::vector<Texture> decal_atlas;       // none, or kAtlas...
+  ShadowCounts shadow_counts = {};
+  std::vector<ShadowView> shadow_views;
+  std::vector<ShadowCaster> shadow_casters;
+  std::vector<DrawCommand> shadow_draws;                     // in the ranges of formats/shadow.h
+  std::vector<ShadowTile> shadow_still_tiles, shadow_tiles;  // to be drawn in this frame
+  std::vector<ParticleRecord> particles;                     // the scene's, in its order
+  std::vector<uint32_t> particle_order;                      // of those that are drawn, farthest first
+  std::vector<uint32_t> surface_instance, surface_part;      // back to the scene, for reference renderers
   std::vector<std::string> notes;  // what was left out or added and why: culled instances and lights, …
 };
 Gathered gather(const Scene&, const Camera&, Extent);
