@@ -8,6 +8,7 @@
 
 #include "harness/formats/pixel_commands.h"
 #include "harness/formats/visibility.h"
+#include "harness/formats/vrcs.h"
 #include "harness/frame/sequence.h"
 #include "harness/oracle.h"
 #include "tests/drawn.h"
@@ -95,23 +96,28 @@ TEST(FrameVrcs, EveryCoveredPixelIsStoredOnce) {
       }
 }
 
-// Texturing follows the lists: a duplicate's G-buffer is its primary's.
-TEST(FrameVrcs, DuplicatesAreCopies) {
+// Copies of an image that a pass wrote by the lists: each duplicate's texel is its primary's, each primary's that of
+// full rates. Where `whole_tiles`, tiles with more primaries than a list holds are shaded pixel by pixel.
+template <class Texel>
+void expect_copies(const std::string& image, bool whole_tiles) {
   const Extent size = {333, 187};
-  const std::string normals = "deferred_texturing.normal";
-  Options o = {.size = size, .goals = {normals, "vrcs_coordinates.copy_bits"}, .warm_up = false};
+  Options o = {.size = size, .goals = {image, "vrcs_coordinates.copy_bits"}, .warm_up = false};
   o.vrcs = "on", o.history = planted(size, 24);
   const Result r = draw(scene::small(), o);
   const auto copies = words<uint8_t>(r.downloads.at("vrcs_coordinates.copy_bits"));
-  const auto texels = words<uint32_t>(r.downloads.at(normals));
-  o.vrcs = "off", o.goals = {normals};
-  const auto full = words<uint32_t>(draw(scene::small(), o).downloads.at(normals));
+  const auto tiles = words<uint32_t>(r.downloads.at("vrcs_coordinates.tiles"));
+  const auto texels = words<Texel>(r.downloads.at(image));
+  o.vrcs = "off", o.goals = {image};
+  const auto full = words<Texel>(draw(scene::small(), o).downloads.at(image));
+  const uint32_t tiles_across = ceil_div(size.width, kVrcsTileSide);
   uint32_t checked = 0;
   for (uint32_t y = 0; y < size.height; ++y)
     for (uint32_t x = 0; x < size.width; ++x) {
       const size_t at = size_t{y} * size.width + x;
       if (copies[at] & kCopyDuplicate) continue;
       EXPECT_EQ(texels[at], full[at]) << "a primary is shaded as ever";
+      const uint32_t tile = tiles[y / kVrcsTileSide * tiles_across + x / kVrcsTileSide];
+      if (whole_tiles && (tile & kVrcsTileCount) > kVrcsTileEntries) continue;
       const auto copied = [&](uint32_t bit, uint32_t other_x, uint32_t other_y) {
         if ((copies[at] & bit) == 0) return;
         ASSERT_EQ(texels[size_t{other_y} * size.width + other_x], texels[at]) << x << ", " << y;
@@ -121,6 +127,9 @@ TEST(FrameVrcs, DuplicatesAreCopies) {
     }
   EXPECT_GT(checked, 1000u);
 }
+
+TEST(FrameVrcs, TexturingCopiesPrimaries) { expect_copies<uint32_t>("deferred_texturing.normal", false); }
+TEST(FrameVrcs, LightingCopiesPrimaries) { expect_copies<uint64_t>(kLit, true); }
 
 TEST(FrameVrcs, AFrameDrawnAloneIsThatOfASequence) {
   const scene::Scene s = scene::small();
