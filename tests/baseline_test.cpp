@@ -95,7 +95,7 @@ TEST(Baseline, TablesShowItsErrors) {
   report::Run run;
   run.rows.push_back(row);
   for (const std::string& text : {report::as_text(report::speed_table(run, device::info(*device()))),
-                                  report::as_text(report::speed_against_error_table(run))}) {
+                                  report::as_text(report::speed_against_error_table(run, kernel))}) {
     EXPECT_NE(text.find("baseline, 1 of 200 wrong, 1 NaN"), std::string::npos) << text;
     EXPECT_NE(text.find("inf of 1 (ulps(pairs))"), std::string::npos) << text;
   }

@@ -61,20 +61,22 @@ int run(Flags& f) {
     write_text(record, json.dump(1) + "\n");
     fmt::print(stderr, "every sample is in {}\n", record);
   }
-  const auto against = report::speed_against_error_table(result);
-  const auto errors = [&](auto text_of) {
+  const auto by_kernel = [&](auto text_of) {
     std::string text;
-    for (const Kernel* k : selection.kernels)
+    for (const Kernel* k : selection.kernels) {
+      if (const auto table = report::speed_against_error_table(result, *k); !table.rows.empty())
+        text += fmt::format("\nSpeed of {} against its error, fastest first\n\n{}", k->name, text_of(table));
       if (const auto table = report::error_table(result, *k); !table.rows.empty())
         text += fmt::format("\nErrors of {} by class of inputs, least first\n\n{}", k->name, text_of(table));
+    }
     return text;
   };
   if (!f.markdown.empty())
-    write_text(f.markdown, fmt::format("{} ({} {}), commit {}\n\n{}{}", info.name, info.driver, info.driver_info,
-                                       report::commit(), report::as_markdown(against), errors(report::as_markdown)));
+    write_text(f.markdown, fmt::format("{} ({} {}), commit {}\n{}", info.name, info.driver, info.driver_info,
+                                       report::commit(), by_kernel(report::as_markdown)));
   if (!json_on_stdout(f.common) && f.markdown != "-")
-    fmt::print("{}\n{}\nSpeed against error, fastest first\n\n{}{}", report::yardsticks_text(result),
-               report::as_text(report::speed_table(result, info)), report::as_text(against), errors(report::as_text));
+    fmt::print("{}\n{}{}", report::yardsticks_text(result), report::as_text(report::speed_table(result, info)),
+               by_kernel(report::as_text));
   const auto missed = report::missed_goals(result.errors);
   for (const std::string& goal : missed) fmt::print(stderr, "{}\n", goal);
   const bool broken =
@@ -112,7 +114,7 @@ void add_bench(CLI::App& app, Action& action) {
       ->capture_default_str()
       ->check(CLI::Range(1, 100000))
       ->type_name("N");
-  command->add_option("--markdown", f->markdown, "The speed-against-error table as Markdown; - for standard output")
+  command->add_option("--markdown", f->markdown, "The tables of speed against error as Markdown; - for standard output")
       ->type_name("FILE");
   command->add_option("--runs", f->runs, "Where each run's record goes, or none")
       ->capture_default_str()

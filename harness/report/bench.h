@@ -74,8 +74,8 @@ struct Run {
 Run bench(device::Device&, const std::vector<Entry>&, uint32_t count, const check::Tell&);
 
 Table speed_table(const Run&, const device::Info&);
-// One kernel and extent after another: fastest first, the default and the Pareto front marked.
-Table speed_against_error_table(const Run&);
+// Of a kernel, one input after another: fastest first, the default and the Pareto front marked; empty: none was timed.
+Table speed_against_error_table(const Run&, const Kernel&);
 std::string yardsticks_text(const Run&);
 // A kernel's errors by class of inputs, beside its times at the first extent; empty where it reports none.
 Table error_table(const Run&, const Kernel&);

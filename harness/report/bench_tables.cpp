@@ -76,9 +76,8 @@ Table speed_table(const Run& run, const device::Info& info) {
   return t;
 }
 
-Table speed_against_error_table(const Run& run) {
-  Table t{.columns = {{"kernel"},
-                      {"size"},
+Table speed_against_error_table(const Run& run, const Kernel& kernel) {
+  Table t{.columns = {{"size"},
                       {"variant"},
                       {"time", Align::right},
                       {"share of limit", Align::right},
@@ -88,7 +87,7 @@ Table speed_against_error_table(const Run& run) {
                       {""}}};
   std::vector<const Row*> rows;
   for (const Row& row : run.rows)
-    if (row.verified.refused.empty()) rows.push_back(&row);
+    if (row.entry.kernel == &kernel && row.verified.refused.empty()) rows.push_back(&row);
   for (auto from = rows.begin(); from != rows.end();) {
     const auto to = std::find_if(from, rows.end(), [&](const Row* r) { return !same_input((*from)->entry, r->entry); });
     std::vector<const Row*> plot(from, to);
@@ -98,7 +97,7 @@ Table speed_against_error_table(const Run& run) {
       std::string marks = on_front(*r, plot) ? "front" : "";
       if (r->entry.is_default) marks += marks.empty() ? "default" : ", default";
       if (r->entry.variant->baseline) marks += (marks.empty() ? "" : ", ") + baseline_text(*r);
-      t.rows.push_back({r->entry.kernel->name, input_text(r->entry), label_of(r->entry), time_text(headline_ns(*r)),
+      t.rows.push_back({input_text(r->entry), label_of(r->entry), time_text(headline_ns(*r)),
                         percent_text(share_of_limit(*r)), bytes_text(bytes_of(*r)), error_text(*r),
                         fmt::format("{} of {}", v.undecided, v.judged), marks});
     }
