@@ -39,10 +39,13 @@ struct FrameInputs {
   ViewRays rays = {};
   ClusterGrid grid = {};  // without cells: clusters are off
   float near_plane = 0.1f;
-  float exposure_stops = 0;   // added to the automatic exposure
-  uint32_t frame = 0;         // its number in a sequence
-  bool vrcs = false;          // shading rates vary: passes shade primaries and copy (harness/formats/vrcs.h)
-  float vrcs_tolerance = 0;   // error that is let pass, of luma 0..1
+  float exposure_stops = 0;  // added to the automatic exposure
+  uint32_t frame = 0;        // its number in a sequence
+  bool vrcs = false;         // shading rates vary: passes shade primaries and copy (harness/formats/vrcs.h)
+  float vrcs_tolerance = 0;  // error that is let pass, of luma 0..1
+  // Share of the display's height that the picture has, as dynamic resolution chose it; 0: that is not known.
+  float vrcs_resolution = 0;
+  uint32_t vrcs_border = 0;   // pixels from a side within which twice that error passes
   FrameHistory history = {};  // luma is of this extent, or empty, and all rates are 1x1
   uint32_t view = 0;          // the debug view asked for (kernels/debug_view/layout.h)
 };

@@ -167,6 +167,25 @@ TEST(FrameVrcs, ACutAndAnotherSizeBeginAnew) {
   EXPECT_EQ(shares.primaries, shares.covered);
 }
 
+// A picture of fewer pixels than the display's may be coarser, one of as many is finer, and so may its sides.
+TEST(FrameVrcs, DynamicResolutionAndBorderChangeWhatPasses) {
+  const Extent size = {333, 187};
+  const auto primaries = [&](float resolution, uint32_t border) {
+    const Options o = {.size = size,
+                       .vrcs = "on",
+                       .vrcs_resolution = resolution,
+                       .vrcs_border = border,
+                       .vrcs_tolerance = 0.2f,
+                       .history = planted(size, 24),
+                       .warm_up = false};
+    return draw(scene::small(), o).vrcs.primaries;
+  };
+  const uint64_t asked = primaries(0, 0);
+  EXPECT_LT(primaries(0.5f, 0), asked);
+  EXPECT_GT(primaries(1, 0), asked);
+  EXPECT_LT(primaries(0, 40), asked);
+}
+
 TEST(FrameVrcs, StillFramesShowTheSameScene) {
   const scene::Scene s = scene::small();
   const Options o = {.size = {160, 90}, .warm_up = false};
@@ -192,6 +211,8 @@ TEST(FrameVrcs, ViewsShowRatesAndPrimaries) {
 TEST(FrameVrcs, UnusableOptionsAreNamed) {
   EXPECT_THROW(draw(scene::bare(), {.size = {8, 8}, .vrcs = "some"}), std::invalid_argument);
   EXPECT_THROW(draw(scene::bare(), {.size = {8, 8}, .vrcs_tolerance = NAN}), std::invalid_argument);
+  for (const float share : {-0.1f, 1.1f, NAN})
+    EXPECT_THROW(draw(scene::bare(), {.size = {8, 8}, .vrcs_resolution = share}), std::invalid_argument);
   for (const frame::Sequence& wrong : {frame::Sequence{.frames = 0}, {.frames = 3, .cut = 3}, {.frames = 3, .cut = 0}})
     EXPECT_THROW(frame::require(wrong), std::invalid_argument);
 }

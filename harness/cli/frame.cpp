@@ -140,6 +140,15 @@ void add_frame(CLI::App& app, Action& action) {
       ->type_name("LUMA")
       ->check(CLI::Range(0.0, 1e6));
   command
+      ->add_option("--vrcs-resolution", f->options.vrcs_resolution,
+                   "Share of the display's height that dynamic resolution chose: below 0.85 more error passes, above "
+                   "less, from 0.75 down more in the corners")
+      ->type_name("SHARE");
+  command
+      ->add_option("--vrcs-border", f->options.vrcs_border,
+                   "Pixels from the picture's sides within which twice the error passes")
+      ->type_name("PIXELS");
+  command
       ->add_option("--frames", f->frames,
                    "Frames to draw, at 60 Hz along a fixed path; the last is shown (1, or 4 with variable rates)")
       ->type_name("N")

@@ -111,6 +111,9 @@ void require_vrcs(const Options& o) {
     throw std::invalid_argument(fmt::format("no variable rates '{}'; there are off, on, deblocked", o.vrcs));
   if (!(o.vrcs_tolerance >= 0))
     throw std::invalid_argument(fmt::format("a tolerance of {} is none; it is 0 or more", o.vrcs_tolerance));
+  if (!(o.vrcs_resolution >= 0 && o.vrcs_resolution <= 1))
+    throw std::invalid_argument(fmt::format(
+        "a resolution of {} is none; it is a share of the display's height, above 0 and at most 1", o.vrcs_resolution));
 }
 
 void require_ranges(const Graph& g, const device::Info& info) {
@@ -171,6 +174,8 @@ Prepared prepare(const device::Info& info, const scene::Scene& scene, const scen
                                   .frame = options.frame,
                                   .vrcs = varies(options),
                                   .vrcs_tolerance = options.vrcs_tolerance,
+                                  .vrcs_resolution = options.vrcs_resolution,
+                                  .vrcs_border = options.vrcs_border,
                                   .history = usable(options.history, options.size),
                                   .view = p.view->debug},
                          .scene = p.scene_bytes,

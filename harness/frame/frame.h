@@ -34,6 +34,8 @@ struct Options {
   // Variable rates: pixels of low contrast in the picture before share what one of them is shaded; shown as it is or,
   // deblocked, averaged with its neighbours.
   std::string vrcs = "off";      // off, on, deblocked
+  float vrcs_resolution = 0;     // share of the display's height, ]0, 1], that sets tolerance and foveation; 0: neither
+  uint32_t vrcs_border = 0;      // pixels from a side within which twice the tolerance passes
   float vrcs_tolerance = 0.02f;  // error that is let pass, of luma 0..1; 2x2 by half of it (kernels/vrcs_shading_rate)
   uint32_t frame = 0;            // its number in a sequence (sequence.h)
   FrameHistory history = {};     // what the frame before left; of no use if it is of another size

@@ -102,11 +102,20 @@ Case typical(Extent e) {
 }
 
 // With full rates everywhere there are no cells.
+namespace {
+void follow_resolution(float share, RateParams& p) {
+  p.tolerance *= 1 + (kEvenShare - share) * kToleranceSlope;
+  p.foveation = std::max(0.0f, (kFoveatedShare - share) * kFoveationSlope);
+}
+}  // namespace
+
 Case in_frame(const FrameInputs& f) {
   if (!f.vrcs) return case_of({0, 0}, {}, usual({0, 0}));
   RateParams p = usual(f.extent);
   p.tolerance = f.vrcs_tolerance;
   p.extra_half = kUsualExtraHalf;
+  if (f.vrcs_resolution > 0) follow_resolution(f.vrcs_resolution, p);
+  p.border = f.vrcs_border, p.border_gain = kBorderGain;
   p.flags = f.history.luma.empty() ? kAllFull : 0;
   Case c = case_of(f.extent, {}, p);
   c.name = "frame";

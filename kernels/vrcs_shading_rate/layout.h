@@ -9,6 +9,15 @@ SHARED_BEGIN(vrcs_shading_rate)
 SHARED_CONST float kUsualTolerance = 0.02f;
 SHARED_CONST float kUsualExtraHalf = 0.5f;
 
+// In a frame whose resolution is dynamic (Fuller, Hammer 2025, for the shares; the slopes are ours): the tolerance is
+// as asked for at 85 % of the display's height, by a third more at 50 %, less above; from 75 % down it grows in the
+// corners, twofold at 50 %.
+SHARED_CONST float kEvenShare = 0.85f;
+SHARED_CONST float kToleranceSlope = 0.95f;
+SHARED_CONST float kFoveatedShare = 0.75f;
+SHARED_CONST float kFoveationSlope = 4.0f;
+SHARED_CONST float kBorderGain = 2.0f;  // of the frame's border
+
 struct RateParams {
   uint width;  // pixels
   uint height;
