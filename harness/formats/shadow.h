@@ -43,6 +43,7 @@ struct ShadowView {
 // Of the lookup (kernels/shadow_lookup/README.md).
 SHARED_CONST float kCascadeBand = 0.1f;        // of a cascade's half width, at its rim: there dither chooses the next
 SHARED_CONST float kMostShadowOutside = 2.0f;  // x or y, of w: beyond, a view does not see a point
+SHARED_CONST float kMostShadowNumber = 1e18f;  // w and depths up to here; beyond, it does not either
 SHARED_CONST float kLeastShadowFacing = 0.03125f;  // sine of the angle between light and plane below which slopes fade
 SHARED_CONST float kShadowSnap = 0.00390625f;      // texels that a stored depth may be of a point beside, a tap's side
 
