@@ -55,6 +55,8 @@ bool is_in_atlas(ShadowTile tile) {
          tile.y <= extent.y - tile.side;
 }
 
+const float kLeastShadowRay = 1e-36;  // rows so small that their product's square is less have no slope
+
 // How a view's depth changes on the plane with this normal, a unit of x and y in [-1, 1]; 0 of no normal. The rows at
 // the point, less its x, y and depth times w's, are how these three change with the position, so the quotients of
 // triple products are how depth changes with x and y while the plane is not left. Where the plane is nearly in line
@@ -72,7 +74,7 @@ vec2 shadow_slope(ShadowView view, vec3 at, vec3 normal) {
 #ifdef MUTANT_9705  // not held
   return change / facing;
 #else
-  return change * (facing / max(facing * facing, least));
+  return change * (facing / max(max(facing * facing, least), kLeastShadowRay));
 #endif
 }
 
