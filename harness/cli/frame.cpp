@@ -21,6 +21,7 @@ struct Flags {
   std::string scene = "small", size = "1280x720", out = "out", camera, sidecar;
   std::vector<std::string> variants;
   frame::Options options;
+  std::string shadows = "on";
   std::optional<uint32_t> frames, cut;
   bool still = false, explain = false, exr = false;
 };
@@ -62,7 +63,7 @@ void print(const Flags& f, const frame::Drawn& drawn, const fs::path& picture) {
   const frame::Result& r = drawn.last;
   for (const auto& note : r.notes) fmt::print("note: {}\n", note);
   if (f.explain) fmt::print("{}\n{}\n", frame::to_text(r.explanation), frame::to_text(r.memory));
-  fmt::print("{}\n{}\n", frame::to_text(r.statistics), frame::times_to_text(r));
+  fmt::print("{}\n{}{}\n", frame::to_text(r.statistics), frame::to_text(r.shadows), frame::times_to_text(r));
   if (drawn.frames.size() > 1) fmt::print("{}\n", frame::to_text(drawn.frames));
   fmt::print("wrote {}\n", picture.string());
 }
@@ -70,6 +71,7 @@ void print(const Flags& f, const frame::Drawn& drawn, const fs::path& picture) {
 int run(Flags& f) {
   f.options.size = parse_size(f.size);
   parse_variants(f);
+  f.options.shadows = f.shadows == "on";
   frame::require(f.options);
   frame::require(sequence_of(f));
   const fs::path picture = fs::path(f.out) / "frame.png", layers = fs::path(f.out) / "frame.exr";
@@ -126,6 +128,9 @@ void add_frame(CLI::App& app, Action& action) {
           "every pixel asks every light and decal")
       ->capture_default_str()
       ->check(CLI::IsMember({"none", "coarse", "fine"}));
+  command->add_option("--shadows", f->shadows, "Of the lights that cast them")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"on", "off"}));
   command
       ->add_option(
           "--vrcs", f->options.vrcs,

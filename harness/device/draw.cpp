@@ -183,9 +183,17 @@ void merge(std::vector<Use>& uses) {
   uses = std::move(merged);
 }
 
+// One that neither clears nor draws may lack what it would bind.
+bool has_work(const Lowering& l, const Draw& pass) {
+  return std::ranges::any_of(pass.colours, [](const ColourTarget& c) { return c.clear.has_value(); }) ||
+         (pass.depth && pass.depth->clear) ||
+         std::ranges::any_of(pass.calls, [&](const DrawCall& c) { return c.count && c.count(l.input) > 0; });
+}
+
 }  // namespace
 
 std::optional<Command> lower_draw(const Lowering& l, const Draw& pass) {
+  if (!has_work(l, pass)) return std::nullopt;
   Job job;
   DrawState state;
   Command c = {.kind = Command::Kind::draw, .label = l.label + " draw"};
@@ -193,8 +201,6 @@ std::optional<Command> lower_draw(const Lowering& l, const Draw& pass) {
   if (job.keep.empty()) throw std::logic_error(fmt::format("{}: a draw without targets", l.label));
   lower_buffers(l, pass, job, c.uses);
   for (const DrawCall& call : pass.calls) lower_call(l, pass, call, job, state, c.uses);
-  const bool clears = std::ranges::any_of(job.colours, &Target::clear) || (job.depth && job.depth->clear);
-  if (job.calls.empty() && !clears) return std::nullopt;
   if (!pass.calls.empty()) c.label = l.label + " " + pass.calls[0].fragment;
   merge(c.uses);
   const auto shared = std::make_shared<const Job>(std::move(job));

@@ -46,6 +46,9 @@ constexpr const char* kRadiance[] = {"vrcs_deblock.deblocked_radiance", "vrcs_de
                                      "deferred_lighting.radiance"};
 constexpr const char* kLuma = "vrcs_deblock.luma";
 constexpr const char* kExposure = "resolve.exposure";
+// Of the shadow atlas, for a next frame.
+constexpr const char* kShadowStill = "shadow_atlas.still";
+constexpr const char* kShadowDepth = "shadow_atlas.depth";
 // Beside the goals: what legends, statistics and layers are made of.
 constexpr const char* kDownloads[] = {"visibility.visibility",
                                       "visibility.depth",
@@ -156,7 +159,12 @@ Prepared prepare(const device::Info& info, const scene::Scene& scene, const scen
                  const Options& options) {
   require(options);
   Prepared p = {.view = &view_named(options.view)};
-  p.gathered = scene::gather(scene, camera, options.size);
+  const FrameHistory history = usable(options.history, options.size);
+  const scene::ShadowRequest shadows = {
+      .before = history.shadow_depth.empty() ? scene::ShadowCache{} : options.shadow_cache,
+      .frame = options.frame,
+      .sliced = options.shadow_slices};
+  p.gathered = scene::gather(scene, camera, options.size, options.shadows && in_registry(kShadowDepth) ? &shadows : nullptr);
   append_clusters(camera, options, p.gathered);
   p.scene_bytes = scene_bytes(p.gathered);
   p.graph = build_graph({.kernels = all_kernels(),
@@ -176,7 +184,7 @@ Prepared prepare(const device::Info& info, const scene::Scene& scene, const scen
                                   .vrcs_tolerance = options.vrcs_tolerance,
                                   .vrcs_resolution = options.vrcs_resolution,
                                   .vrcs_border = options.vrcs_border,
-                                  .history = usable(options.history, options.size),
+                                  .history = history,
                                   .view = p.view->debug},
                          .scene = p.scene_bytes,
                          .variants = variants_of(options, p.gathered),
@@ -186,9 +194,11 @@ Prepared prepare(const device::Info& info, const scene::Scene& scene, const scen
   return p;
 }
 
-std::map<std::string, Bytes> download(device::Device& d, const Graph& graph, const Allocated& allocated) {
+std::map<std::string, Bytes> download(device::Device& d, const Graph& graph, const Allocated& allocated,
+                                      bool with_shadows) {
   std::vector<std::string> names = graph.goals;
   names.insert(names.end(), std::begin(kDownloads), std::end(kDownloads));
+  if (with_shadows) names.insert(names.end(), {kShadowStill, kShadowDepth});
   std::map<std::string, Bytes> downloads;
   for (const std::string& name : names)
     if (const size_t at = resource_named(graph, name); at != kNobody && !downloads.contains(name))
@@ -285,7 +295,9 @@ Result render(device::Device& d, const scene::Scene& scene, const scene::Camera&
   r.memory = memory_rows(r.explanation, r.size);
   r.notes = scene.notes;
   r.notes.insert(r.notes.end(), p.gathered.notes.begin(), p.gathered.notes.end());
-  r.downloads = download(d, p.graph, allocated);
+  r.downloads = download(d, p.graph, allocated, options.keep_shadows);
+  r.shadows = p.gathered.shadow_statistics;
+  r.shadow_cache = p.gathered.shadow_cache;
   note_dropped(r);
   r.statistics = pass_shares(r.downloads);
   r.vrcs = vrcs_shares(r.downloads, r.size);
@@ -298,6 +310,9 @@ FrameHistory history_of(const Result& r, const Options& drawn) {
   const auto luma = r.downloads.find(kLuma);
   if (usable(drawn.history, r.size).exposure > 0 && luma != r.downloads.end()) next.luma = luma->second;
   if (r.downloads.contains(kExposure)) next.exposure = values_of<ExposureRecord>(r, kExposure).at(0).exposure;
+  for (const auto& [name, to] :
+       {std::pair(kShadowStill, &next.shadow_still), std::pair(kShadowDepth, &next.shadow_depth)})
+    if (const auto it = r.downloads.find(name); it != r.downloads.end()) *to = it->second;
   return next;
 }
 
@@ -337,18 +352,33 @@ std::string times_to_text(const Result& r) {
   return text + fmt::format("{:<{}}  {:<{}}  {:9.3f} ms\n", "all", kernel, "", pass + 3, r.gpu_ns / 1e6);
 }
 
+nlohmann::json to_json(const scene::ShadowStatistics& s) {
+  return {{"lights", s.lights},
+          {"views", s.views},
+          {"still_drawn", s.still_drawn},
+          {"composed", s.composed},
+          {"put_off", s.put_off}};
+}
+
+std::string to_text(const scene::ShadowStatistics& s) {
+  if (s.views == 0) return {};
+  return fmt::format("shadows: {} lights, {} tiles, of {} still things drawn, {} composed, {} put off\n", s.lights,
+                     s.views, s.still_drawn, s.composed, s.put_off);
+}
+
 nlohmann::json to_json(const Result& r) {
   nlohmann::json passes = nlohmann::json::array(), legend = nlohmann::json::array();
   for (const PassTime& t : r.passes)
     passes.push_back({{"kernel", t.kernel}, {"pass", t.pass}, {"commands", t.commands}, {"time_ns", t.time_ns}});
   for (const image::LegendRow& row : r.legend)
     legend.push_back({{"colour", fmt::format("#{:02x}{:02x}{:02x}", row.r, row.g, row.b)}, {"text", row.text}});
-  return {{"title", r.title},        {"width", r.size.width},
-          {"height", r.size.height}, {"passes", passes},
-          {"gpu_ns", r.gpu_ns},      {"cpu_ns", r.cpu_ns},
-          {"legend", legend},        {"statistics", to_json(r.statistics)},
-          {"notes", r.notes},        {"explanation", to_json(r.explanation)},
-          {"vrcs", to_json(r.vrcs)}, {"memory", to_json(r.memory)}};
+  return {{"title", r.title},           {"width", r.size.width},
+          {"height", r.size.height},    {"passes", passes},
+          {"gpu_ns", r.gpu_ns},         {"cpu_ns", r.cpu_ns},
+          {"legend", legend},           {"statistics", to_json(r.statistics)},
+          {"notes", r.notes},           {"explanation", to_json(r.explanation)},
+          {"vrcs", to_json(r.vrcs)},    {"shadows", to_json(r.shadows)},
+          {"memory", to_json(r.memory)}};
 }
 
 }  // namespace assay::frame

@@ -37,8 +37,12 @@ struct Options {
   float vrcs_resolution = 0;     // share of the display's height, ]0, 1], that sets tolerance and foveation; 0: neither
   uint32_t vrcs_border = 0;      // pixels from a side within which twice the tolerance passes
   float vrcs_tolerance = 0.02f;  // error that is let pass, of luma 0..1; 2x2 by half of it (kernels/vrcs_shading_rate)
+  bool shadows = true;           // of the lights that cast them
+  bool shadow_slices = true;     // tiles of lights that are small on the screen follow what moves a few frames late
   uint32_t frame = 0;            // its number in a sequence (sequence.h)
   FrameHistory history = {};     // what the frame before left; of no use if it is of another size
+  scene::ShadowCache shadow_cache = {};  // what the history's shadow atlas holds
+  bool keep_shadows = false;             // read that of this frame back, for the next
   // Resources that must be computed; whatever none of them needs is left out. Empty: the picture and the statistics.
   std::vector<std::string> goals = {};
   bool warm_up = true;  // draw once before the times are taken: shaders compile at their first dispatch
@@ -67,6 +71,8 @@ struct Result {
   std::vector<std::string> notes;  // of the loader and the gather: what was left out and why
   // What was downloaded, by resource name: the goals, and of kDownloads what the frame has.
   std::map<std::string, Bytes> downloads;
+  scene::ShadowStatistics shadows = {};
+  scene::ShadowCache shadow_cache = {};
 };
 
 // Throws std::invalid_argument for what no scene and no device can make right.
@@ -87,6 +93,8 @@ void write_exr(const std::filesystem::path&, const Result&);
 // The picture with its legend below.
 void write_png(const std::filesystem::path&, const Result&);
 
+std::string to_text(const scene::ShadowStatistics&);  // a line; nothing where no light casts shadows
+nlohmann::json to_json(const scene::ShadowStatistics&);
 std::string times_to_text(const Result&);  // the pass table
 nlohmann::json to_json(const Result&);     // all but the pixels
 

@@ -35,11 +35,13 @@ Drawn render_sequence(device::Device& d, const scene::Scene& scene, const scene:
     options.frame = frame;
     options.view = is_last ? asked.view : view_names().front();
     options.goals = is_last ? asked.goals : std::vector<std::string>{};
+    options.keep_shadows = asked.keep_shadows || !is_last;
     if (frame == s.cut) options.history = {};
     if (!s.still) scene::move_to_frame(frame, scene, moved);
     drawn.last = render(d, moved, camera_of(s, camera, frame), options);
     options.history = history_of(drawn.last, options);
-    drawn.frames.push_back({frame, drawn.last.gpu_ns, drawn.last.cpu_ns, drawn.last.vrcs});
+    options.shadow_cache = drawn.last.shadow_cache;
+    drawn.frames.push_back({frame, drawn.last.gpu_ns, drawn.last.cpu_ns, drawn.last.vrcs, drawn.last.shadows});
   }
   drawn.history = options.history;
   return drawn;
@@ -52,6 +54,9 @@ std::string to_text(const std::vector<FrameSummary>& frames) {
     if (f.vrcs.covered)
       text += fmt::format(", {:.1f}% of the pixels shaded",
                           100 * static_cast<double>(f.vrcs.primaries) / static_cast<double>(f.vrcs.covered));
+    if (f.shadows.views)
+      text += fmt::format(", {} of {} shadow tiles drawn, {} composed", f.shadows.still_drawn, f.shadows.views,
+                          f.shadows.composed);
     text += '\n';
   }
   return text;
@@ -62,6 +67,7 @@ nlohmann::json to_json(const std::vector<FrameSummary>& frames) {
   for (const FrameSummary& f : frames) {
     json.push_back({{"frame", f.frame}, {"gpu_ns", f.gpu_ns}, {"cpu_ns", f.cpu_ns}});
     if (f.vrcs.tiles) json.back()["vrcs"] = to_json(f.vrcs);
+    if (f.shadows.views) json.back()["shadows"] = to_json(f.shadows);
   }
   return json;
 }

@@ -16,6 +16,7 @@ struct FrameSummary {
   uint32_t frame = 0;
   double gpu_ns = 0, cpu_ns = 0;
   VrcsShares vrcs = {};
+  scene::ShadowStatistics shadows = {};
 };
 struct Drawn {
   Result last;

@@ -188,7 +188,8 @@ Scene small() {
       {.kind = LightKind::directional,
        .direction = normalize(glm::vec3(0.4f, -1, -0.3f)),
        .colour = {1, 0.95f, 0.9f},
-       .intensity = 3},
+       .intensity = 3,
+       .casts_shadows = true},
       {.kind = LightKind::point, .position = {0, 3.2, -3}, .colour = {1, 0.8f, 0.5f}, .intensity = 60, .range = 8},
       {.kind = LightKind::spot,
        .position = {-4, 4.5, 3},
@@ -196,7 +197,8 @@ Scene small() {
        .intensity = 200,
        .range = 12,
        .inner_rad = 0.3f,
-       .outer_rad = 0.5f},
+       .outer_rad = 0.5f,
+       .casts_shadows = true},
   };
   const Motion lamp = {.reach = {0.8, 0, 0.4}, .period_s = 3};
   s.lights[1].motion = lamp;

@@ -7,6 +7,7 @@ namespace assay::scene::builtin {
 namespace {
 
 constexpr uint32_t kCandlesABay = 20, kSpotsABay = 12, kPortalSpots = 11;
+constexpr uint32_t kCastersABay = 4;  // of the spots
 
 // Round the hue circle, never darker than a third.
 glm::vec3 hue(double turn) {
@@ -28,7 +29,8 @@ void add_points(Scene& s, uint32_t bay) {
                         .position = {sign * 1.9, 4.7, z - 2.5},
                         .colour = {1, 0.85f, 0.6f},
                         .intensity = 30,
-                        .range = 9});
+                        .range = 9,
+                        .casts_shadows = bay + 2 >= kBays});
   }
   for (uint32_t i = 0; i < kCandlesABay; ++i) {  // two rows along the nave and the walls
     const uint32_t pair = i / 2;
@@ -56,7 +58,8 @@ void add_spots(Scene& s, uint32_t bay) {
                         .intensity = 60,
                         .range = 12,
                         .inner_rad = 0.15f,
-                        .outer_rad = 0.25f + 0.02f * static_cast<float>(i)});
+                        .outer_rad = 0.25f + 0.02f * static_cast<float>(i),
+                        .casts_shadows = i < kCastersABay});
   }
 }
 
@@ -80,6 +83,7 @@ void add_default_lights(Scene& s) {
                         .range = 25,
                         .inner_rad = 0.05f,
                         .outer_rad = 0.2f,
+                        .casts_shadows = i % 5 == 0,
                         .motion = {.turn_rad = 0.3, .period_s = 5}});
 }
 

@@ -90,33 +90,6 @@ std::vector<Surface> visible_surfaces(const Scene& scene, const Camera& camera,
   return surfaces;
 }
 
-// Appends a mesh's vertices once, and each of its parts' indices once.
-struct Merger {
-  const Scene& scene;
-  Gathered& to;
-  std::map<uint32_t, uint32_t> vertex_offsets = {};                      // by mesh
-  std::map<std::pair<uint32_t, uint32_t>, uint32_t> first_indices = {};  // by mesh and part
-
-  uint32_t vertex_offset(uint32_t m) {
-    const auto [it, is_new] = vertex_offsets.try_emplace(m, static_cast<uint32_t>(to.positions.size()));
-    if (is_new) {
-      const Mesh& mesh = scene.meshes[m];
-      to.positions.insert(to.positions.end(), mesh.positions.begin(), mesh.positions.end());
-      to.attributes.insert(to.attributes.end(), mesh.attributes.begin(), mesh.attributes.end());
-    }
-    return it->second;
-  }
-  uint32_t first_index(uint32_t m, uint32_t p) {
-    const auto [it, is_new] = first_indices.try_emplace({m, p}, static_cast<uint32_t>(to.indices.size()));
-    if (is_new) {
-      const Part& part = scene.meshes[m].parts[p];
-      const auto first = scene.meshes[m].indices.begin() + part.first_index;
-      to.indices.insert(to.indices.end(), first, first + part.index_count);
-    }
-    return it->second;
-  }
-};
-
 void append_draw(const Scene& scene, std::span<const Surface> instances, const std::vector<Transform>& transforms,
                  Merger& merger) {
   Gathered& to = merger.to;
@@ -141,7 +114,7 @@ void append_draw(const Scene& scene, std::span<const Surface> instances, const s
 
 }  // namespace
 
-Gathered gather(const Scene& scene, const Camera& camera, Extent extent) {
+Gathered gather(const Scene& scene, const Camera& camera, Extent extent, const ShadowRequest* shadows) {
   const ClipRows rows = clip_rows(camera, extent);
   std::vector<Transform> transforms;
   for (const Instance& instance : scene.instances) transforms.push_back(transform_of(instance, camera, rows));
@@ -159,8 +132,9 @@ Gathered gather(const Scene& scene, const Camera& camera, Extent extent) {
     append_draw(scene, std::span(surfaces).subspan(first, last - first), transforms, merger);
   }
   while (bucket < kDrawBuckets) to.counts.bucket_first[++bucket] = static_cast<uint32_t>(to.draws.size());
-  append_materials(scene, to);
   append_lights(scene, camera, rows, to);
+  if (shadows) append_shadows(scene, camera, extent, *shadows, merger);
+  append_materials(scene, to);
   append_decals(scene, camera, rows, to);
   to.rays = view_rays(camera, extent);
 

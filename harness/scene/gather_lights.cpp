@@ -71,8 +71,11 @@ std::vector<Light> lights_of(const Scene& scene, const Camera& camera) {
 
 void append_lights(const Scene& scene, const Camera& camera, const ClipRows& rows, Gathered& to) {
   const std::vector<Light> lights = lights_of(scene, camera);
-  for (const Light& light : lights)
-    if (!out_of_reach(light, camera, rows)) to.lights.push_back(record_of(light, camera.eye));
+  for (uint32_t i = 0; i < lights.size(); ++i) {
+    if (out_of_reach(lights[i], camera, rows)) continue;
+    to.lights.push_back(record_of(lights[i], camera.eye));
+    to.light_source.push_back(scene.lights.empty() ? kNone : i);
+  }
   if (scene.lights.empty())
     to.notes.emplace_back(
         "the scene has no light: a directional one of 3.14 lux shines from over the viewer's shoulder");

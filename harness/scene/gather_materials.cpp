@@ -85,13 +85,16 @@ uint32_t material_flags(const Material& m) {
   return flags;
 }
 
-// Indices stay the scene's; textures are those of materials that the surfaces use, and of the layers on top of them.
+// Indices stay the scene's; textures are those of materials that the surfaces use, of the layers on top of them, and
+// of what casts shadows through holes.
 void append_materials(const Scene& scene, Gathered& to) {
   std::set<uint32_t> visible;
   for (const SurfaceRecord& s : to.surfaces) visible.insert(s.material);
   std::set<uint32_t> textured = visible;
   for (const uint32_t m : visible)
     if (scene.materials[m].layer != kNone) textured.insert(scene.materials[m].layer);
+  for (const ShadowCaster& c : to.shadow_casters)
+    if (scene.materials[c.material].alpha == AlphaMode::masked) textured.insert(c.material);
   Packed packed;
   for (const uint32_t m : textured) packed.add(scene.materials[m]);
   packed.arrays = pack_textures(scene, {packed.uses.begin(), packed.uses.end()});

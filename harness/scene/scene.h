@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -171,6 +172,22 @@ struct Bounds {
 Bounds bounds_of(const Mesh&, const Part&);  // in the mesh's own coordinates
 Bounds bounds_of(const Scene&);              // of the instances' transformed part boxes, world
 
+// What the tiles of the shadow atlas hold, for the next frame: by light and view, where, and of what it was drawn (the
+// view's rows, then of each caster its number and transform), so that a tile is drawn anew where that is not the same.
+struct ShadowCache {
+  struct Held {
+    ShadowTile tile;
+    std::vector<double> still, moving;
+  };
+  uint32_t width = 0, height = 0;
+  std::map<uint32_t, Held> tiles;
+};
+struct ShadowStatistics {
+  uint32_t lights = 0, views = 0;
+  uint32_t still_drawn = 0, composed = 0;  // tiles drawn anew, and those that moving things were drawn into
+  uint32_t put_off = 0;                    // whose moving things moved, but whose turn it is not
+};
+
 // What the first passes of a frame read. Transforms are camera-relative, the subtraction in double.
 struct Gathered {
   SceneCounts counts = {};
@@ -193,7 +210,10 @@ struct Gathered {
   std::vector<DecalRecord> decals;        // of those that reach the view, in the scene's order
   std::vector<ReceiverRecord> receivers;  // instances that they lie on
   std::vector<Texture> decal_atlas;       // none, or kAtlas...
+  std::vector<uint32_t> light_source;     // of each light, its number in the scene; kNone: the default one
   ShadowCounts shadow_counts = {};
+  ShadowCache shadow_cache = {};
+  ShadowStatistics shadow_statistics = {};
   std::vector<ShadowView> shadow_views;
   std::vector<ShadowCaster> shadow_casters;
   std::vector<DrawCommand> shadow_draws;                     // in the ranges of formats/shadow.h
@@ -203,7 +223,14 @@ struct Gathered {
   std::vector<uint32_t> surface_instance, surface_part;      // back to the scene, for reference renderers
   std::vector<std::string> notes;  // what was left out or added and why: culled instances and lights, …
 };
-Gathered gather(const Scene&, const Camera&, Extent);
+// How shadows are drawn in a frame, and what the frame before left of them.
+struct ShadowRequest {
+  ShadowCache before = {};
+  uint32_t frame = 0;
+  bool sliced = true;  // tiles of lights that are small on the screen are composed in every second or fourth frame
+};
+// Without a request no light casts shadows.
+Gathered gather(const Scene&, const Camera&, Extent, const ShadowRequest* shadows = nullptr);
 // Adds the grid of cells of so many pixels, and the items of the lights and decals gathered. Every pixel that one of
 // them reaches, as shaders compute positions, lies in a cell that its item touches.
 constexpr uint32_t kClusterSlices = 24;

@@ -2,7 +2,7 @@
 //
 //   {"about": "where they are from", "lights": [
 //     {"kind": "spot", "position": [0, 3, 0], "direction": [0, -1, 0], "colour": [1, 0.8, 0.6], "intensity": 40,
-//      "range": 8, "inner_deg": 20, "outer_deg": 35},
+//      "range": 8, "inner_deg": 20, "outer_deg": 35, "shadows": true},
 //     {"kind": "point", "position": [4, 2, 0], "intensity": 25}, {"kind": "directional", "direction": [0, -1, 1]}],
 //    "decals": [
 //     {"position": [0, 1.5, -3], "outward": [0, 0, 1], "up": [0, 1, 0], "half_extents": [0.4, 0.6, 0.1],
@@ -12,10 +12,10 @@
 //      "coverage": 0.5, "roughness": 0.2, "weights": [1, 0, 1], "receiver": 3}]}
 //
 // World coordinates; candela, or lux of a directional one; colours linear; angles from the axis, also as inner_rad and
-// outer_rad. What is absent is as in KHR_lights_punctual: white, intensity 1, no limit of range, 0 and 45 degrees. A
-// member that the kind does not have is an error, so that a slip of the pen is not silence. Of decals position, outward
-// and half_extents must be there; pictures are PNG files beside this one; the rest is as in scene.h. With a receiver,
-// an instance by its number, the box is in its space.
+// outer_rad. What is absent is as in KHR_lights_punctual: white, intensity 1, no limit of range, 0 and 45 degrees, no
+// shadows. A member that the kind does not have is an error, so that a slip of the pen is not silence. Of decals
+// position, outward and half_extents must be there; pictures are PNG files beside this one; the rest is as in scene.h.
+// With a receiver, an instance by its number, the box is in its space.
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
@@ -89,13 +89,13 @@ Light light_of(const Json& json, const std::string& place) {
   if (!json.is_object()) refuse(place, "is not an object");
   Light light = {.kind = kind_of(json, place)};
   if (light.kind == LightKind::directional) {
-    require_members(json, place, {"kind", "colour", "intensity", "direction"});
+    require_members(json, place, {"kind", "colour", "intensity", "direction", "shadows"});
   } else if (light.kind == LightKind::point) {
-    require_members(json, place, {"kind", "colour", "intensity", "position", "range"});
+    require_members(json, place, {"kind", "colour", "intensity", "position", "range", "shadows"});
   } else {
     require_members(json, place,
                     {"kind", "colour", "intensity", "position", "range", "direction", "inner_deg", "inner_rad",
-                     "outer_deg", "outer_rad"});
+                     "outer_deg", "outer_rad", "shadows"});
   }
   if (light.kind != LightKind::directional) light.position = required(json, place, "position");
   if (light.kind != LightKind::point) light.direction = direction(json, place);
@@ -104,6 +104,10 @@ Light light_of(const Json& json, const std::string& place) {
   light.range = static_cast<float>(number(json, place, "range").value_or(0));
   light.inner_rad = static_cast<float>(angle_rad(json, place, "inner").value_or(0));
   light.outer_rad = static_cast<float>(angle_rad(json, place, "outer").value_or(45 * kRadiansADegree));
+  if (json.contains("shadows")) {
+    if (!json["shadows"].is_boolean()) refuse(place + ".shadows", "is neither true nor false");
+    light.casts_shadows = json["shadows"].get<bool>();
+  }
   if (const std::string fault = fault_of(light); !fault.empty()) refuse(place, fault);
   return light;
 }

@@ -1,0 +1,22 @@
+// The views of a light that casts shadows: how large its tiles should be, and what each sees.
+#pragma once
+#include <optional>
+
+#include "harness/scene/scene.h"
+#include "harness/scene/shadow_packing.h"
+
+namespace assay::scene {
+
+// World coordinates to the clip space of a tile, as ShadowCaster's rows.
+struct LightView {
+  glm::dvec4 x, y, z, w;
+  double farthest = 1e300;  // w beyond which the light does not reach
+  double bias = 0;          // ShadowView's
+};
+
+// Nothing of a light that casts none.
+std::optional<TileWish> wish_of(const Scene&, uint32_t light, const Camera&, Extent);
+// As many as the wish has, for tiles of that side. `bounds`: the scene's.
+std::vector<LightView> views_of(const Light&, const Camera&, Extent, const Bounds& bounds, uint32_t side);
+
+}  // namespace assay::scene
