@@ -63,9 +63,12 @@ struct Primaries {
   const char *variant, *every_pixel;
   deferred_lighting::Sources (*sources)(const Case&);
 };
-constexpr Primaries kPrimaries[] = {{"clustered_tile_list", "clustered", deferred_lighting::sources_by_tiles},
-                                    {"plain_tile_list", "plain", deferred_lighting::sources_by_tiles},
-                                    {"clustered_list", "clustered", deferred_lighting::sources_by_list}};
+constexpr Primaries kPrimaries[] = {
+    {"clustered_tile_list", "clustered", deferred_lighting::sources_by_tiles},
+    {"plain_tile_list", "plain", deferred_lighting::sources_by_tiles},
+    {"clustered_list", "clustered", deferred_lighting::sources_by_list},
+    {"clustered_tile_list_shadowed", "clustered_shadowed", deferred_lighting::sources_by_tiles},
+    {"plain_tile_list_shadowed", "plain_shadowed", deferred_lighting::sources_by_tiles}};
 
 using Texel = std::array<uint16_t, 4>;
 

@@ -165,8 +165,8 @@ std::vector<HardCase> view_cases() {
            for (uint32_t i = 0; i <= 60; ++i)
              for (const double dither : {0.0, 0.3, 0.7, 0.99999994}) {
                const double at = (4 << cascade) * (0.7 + 0.006 * i);
-               s.receive(0, {at, 0.3, -i * 0.1}, kNoPlane, dither);
-               s.receive(0, {0.1, -at, -i * 0.1}, {0, 0, 1}, dither);
+               s.receive(0, {at, 0.3, -0.1 * i}, kNoPlane, dither);
+               s.receive(0, {0.1, -at, -0.1 * i}, {0, 0, 1}, dither);
              }
          return s;
        })},
@@ -356,20 +356,19 @@ std::vector<HardCase> hard_cases() {
 }
 
 std::vector<Mutant> mutants() {
-  const char* const shared = "harness/glsl/shadows.glsl";
   return {
-      {shared, 9701, "the cube's faces up and down change places", "every_face"},
-      {shared, 9702, "cascades are not dithered", "cascade_borders"},
-      {shared, 9703, "a cascade holds what its filter reaches past", "cascade_borders"},
-      {shared, 9704, "the plane leans the other way along y", "on_the_plane"},
-      {shared, 9705, "the slope of planes in line with the light is not held", "in_line"},
-      {shared, 9706, "behind a light as before it", "behind_the_light"},
-      {shared, 9707, "no room for rounding", "on_the_plane"},
-      {shared, 9708, "taps in the neighbour's tile", "tile_borders"},
-      {shared, 9709, "a texel's corner for its centre", "on_the_plane"},
-      {shared, 9710, "the last tap counts in full", "across_a_step"},
-      {shared, 9711, "what has no depth casts a shadow", "beyond_the_far_plane"},
-      {shared, 9712, "views past the end", "views_past_the_end"},
+      {"harness/glsl/shadows.glsl", 9701, "the cube's faces up and down change places", "every_face"},
+      {"harness/glsl/shadows.glsl", 9702, "cascades are not dithered", "cascade_borders"},
+      {"harness/glsl/shadows.glsl", 9703, "a cascade holds what its filter reaches past", "cascade_borders"},
+      {"harness/glsl/shadows.glsl", 9704, "the plane leans the other way along y", "on_the_plane"},
+      {"harness/glsl/shadows.glsl", 9705, "the slope of planes in line with the light is not held", "in_line"},
+      {"harness/glsl/shadows.glsl", 9706, "behind a light as before it", "behind_the_light"},
+      {"harness/glsl/shadows.glsl", 9707, "no room for rounding", "on_the_plane"},
+      {"harness/glsl/shadows.glsl", 9708, "taps in the neighbour's tile", "tile_borders"},
+      {"harness/glsl/shadows.glsl", 9709, "a texel's corner for its centre", "on_the_plane"},
+      {"harness/glsl/shadows.glsl", 9710, "the last tap counts in full", "across_a_step"},
+      {"harness/glsl/shadows.glsl", 9711, "what has no depth casts a shadow", "beyond_the_far_plane"},
+      {"harness/glsl/shadows.glsl", 9712, "views past the end", "views_past_the_end"},
   };
 }
 
