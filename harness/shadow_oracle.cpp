@@ -114,6 +114,7 @@ Interval filtered(const Lookup& l, int first_column, int first_row) {
       if (stored > depth.high && stored >= kLeastNormal) dark.low += weight.low;
       if (stored > depth.low) dark.high += weight.high;
     }
+  if (dark.high == 0) return kLit;
   const double all = (l.taps - 1) * (l.taps - 1);
   dark = bounded::rounded(dark, l.taps * l.taps);
   return clamped(exactly(1) - dark / exactly(all), 0, 1);
@@ -183,15 +184,21 @@ Held held_by(const ShadowView& view, int taps, const Ball& position, float dithe
   return {x.low <= rim.high && y.low <= rim.high, x.high <= rim.low && y.high <= rim.low};
 }
 
-// The faces that the longest axis of a direction may name.
+// The faces that the longest axis of a direction may name. Where it is no number, NaN is no axis but the last.
 std::vector<uint32_t> faces_of(const Ball& direction) {
+  const dvec3 v = direction.value, size = glm::abs(v);
   std::vector<uint32_t> faces;
-  for (uint32_t face = 0; face < kCubeFaces; ++face) {
-    const auto axis = static_cast<int>(face / 2);
-    const double along = direction.value[axis] * (face % 2 ? -1 : 1);
-    if (!finite(direction.value) ||
-        (along >= -direction.error && std::fabs(along) + 2 * direction.error >= largest(direction.value)))
-      faces.push_back(face);
+  const auto face = [&v](int axis, bool is_negative) {
+    return static_cast<uint32_t>(2 * axis) + (is_negative ? 1 : 0);
+  };
+  if (!finite(v)) {
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    return {face(axis, v[axis] < 0)};
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (size[axis] + 2 * direction.error < largest(v)) continue;
+    if (v[axis] + direction.error >= 0) faces.push_back(face(axis, false));
+    if (v[axis] - direction.error <= 0) faces.push_back(face(axis, true));
   }
   return faces;
 }

@@ -19,7 +19,7 @@ layout(binding = 15) uniform texture2D shadow_depth;
 layout(binding = 16) uniform texture2D depth_gradients;
 #define SHADOW_VIEWS params.shadow_views
 #define SHADOW_EXTENT uvec2(params.shadow_width, params.shadow_height)
-#define SHADOW_FILTER 3
+#define SHADOW_FILTER kShadowTaps
 #include "harness/glsl/shadows.glsl"
 #endif
 
@@ -94,9 +94,10 @@ vec3 plane_normal_of(uvec2 pixel) {
 }
 #endif
 
-// What leaves the surface of one light.
+// What leaves the surface of one light. Of one that is out of reach, or shines elsewhere, no shadow is looked up.
 vec3 lit_by(Lit lit, LightRecord light) {
 #ifdef SHADOWED
+  if (light_at(lit.surface.position, light).radiance == vec3(0.0)) return vec3(0.0);
   return shade(lit.surface, light, shadow_at(light, lit.surface.position, lit.plane_normal, lit.dither));
 #else
   return shade(lit.surface, light, 1.0);

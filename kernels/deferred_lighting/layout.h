@@ -29,6 +29,8 @@ struct LightingParams {
 SHARED_CONST uint kMostLights = 32768u;
 SHARED_CONST uint kMostShadowedLights = 2048u;  // of all lights with shadows, whose lookups take 13 turns each
 
+SHARED_CONST uint kShadowTaps = 3u;  // of the filter, a side
+
 // Below this length, of pixels at distance 1, a plane has no normal.
 SHARED_CONST float kLeastArea = 1e-15f;
 

@@ -22,7 +22,6 @@ using shading::Colour;
 constexpr double u = kUnitRoundoff;
 constexpr double kLeastDepth = 1e-30;
 constexpr uint64_t kJudgedPixels = 1u << 14;  // of a case in which every light meets every pixel of this many
-constexpr uint32_t kShadowTaps = 3;
 constexpr double kDecided = 0.01;
 constexpr uint64_t kJudgedShades = 1u << 20;  // pixels times lights
 
