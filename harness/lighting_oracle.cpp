@@ -116,12 +116,13 @@ bool sheds_light(const LightRecord& light) {
 
 Interval unorm8(uint32_t code) { return bounded::rounded(exactly(code / 255.0), 3); }
 
-Colour shade(const OracleSurface& s, const LightRecord& light) {
+Colour shade(const OracleSurface& s, const LightRecord& light, Interval visible) {
   if (!sheds_light(light)) return kBlack;
   // Of a direction so long, sums of products overflow to whatever they meet: no light, or any.
   if (light.kind == kLightDirectional && glm::length(glm::dvec3(light.direction)) > kLongDirection)
     return colour(light.colour) * Interval{0, bounded::kInfinite};
-  const Arriving in = arriving(s.position, light);
+  Arriving in = arriving(s.position, light);
+  if (visible.low < 1) in.radiance = in.radiance * visible;
   const Interval n_dot_l = dot(s.normal, in.direction);
   double most = 0;
   for (const Interval& i : in.radiance) most = std::max({most, std::fabs(i.low), std::fabs(i.high)});

@@ -19,9 +19,9 @@ struct OracleSurface {
   uint32_t features = 0;
 };
 
-// What of a light leaves the surface towards the eye. A light with a NaN or an infinity in its position, colour,
-// direction or cone sheds nothing, nor does one of an unknown kind.
-Colour shade(const OracleSurface&, const LightRecord&);
+// What of a light leaves the surface towards the eye, of which this share arrives. A light with a NaN or an infinity in
+// its position, colour, direction or cone sheds nothing, nor does one of an unknown kind.
+Colour shade(const OracleSurface&, const LightRecord&, Interval visible = exactly(1));
 Colour shade_ambient(const OracleSurface&, const vec3& ambient);
 
 }  // namespace assay::shading

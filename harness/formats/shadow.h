@@ -37,8 +37,15 @@ struct ShadowView {
   vec4 clip_z;
   vec4 clip_w;
   ShadowTile tile;
-  float bias;  // added to the receiver's depth, of the depth it has: what rasterising and rounding may be off by
+  float bias;  // what rounding may move a point by in clip space, of w (kernels/shadow_lookup/README.md, Bias)
 };
+
+// Of the lookup (kernels/shadow_lookup/README.md).
+SHARED_CONST float kCascadeBand = 0.1f;        // of a cascade's half width, at its rim: there dither chooses the next
+SHARED_CONST float kMostShadowOutside = 2.0f;  // x or y, of w: beyond, a view does not see a point
+SHARED_CONST float kMostShadowNumber = 1e18f;  // w and depths up to here; beyond, it does not either
+SHARED_CONST float kLeastShadowFacing = 0.03125f;  // sine of the angle between light and plane below which slopes fade
+SHARED_CONST float kShadowSnap = 0.00390625f;      // texels that a stored depth may be of a point beside, a tap's side
 
 // What a frame has of them. Draws (DrawCommand, first_instance a caster) come in four ranges.
 SHARED_CONST uint kShadowStill = 0u;  // of what never moves, drawn into the still depths

@@ -126,10 +126,10 @@ void require_ranges(const Graph& g, const device::Info& info) {
 std::map<std::string, std::string> variants_of(const Options& options, const scene::Gathered& gathered) {
   std::map<std::string, std::string> variants = options.variants;
   const bool by_all = gathered.lights.empty() || options.clusters == "none";
-  if (varies(options))
-    variants.try_emplace("deferred_lighting", by_all ? "plain_tile_list" : "clustered_tile_list");
-  else if (by_all)
-    variants.try_emplace("deferred_lighting", "plain");
+  std::string lighting = by_all ? "plain" : "clustered";
+  if (varies(options)) lighting += "_tile_list";
+  if (gathered.shadow_counts.views > 0) lighting += "_shadowed";
+  variants.try_emplace("deferred_lighting", lighting);
   if (options.clusters == "none")
     variants.try_emplace("decal_atlas_sampling", "bitfield");
   else if (varies(options))

@@ -154,9 +154,12 @@ vec3 reflected(Surface s, Incoming light) {
   return sum * light.radiance;
 }
 
-// Of one light. A contribution that is no finite number (the light was none, or overflows) is dropped.
-vec3 shade(Surface s, LightRecord light) {
-  const vec3 c = reflected(s, light_at(s.position, light));
+// Of one light, of which the share `visible` arrives. A contribution that is no finite number (the light was none, or
+// overflows) is dropped.
+vec3 shade(Surface s, LightRecord light, float visible) {
+  Incoming incoming = light_at(s.position, light);
+  incoming.radiance *= visible;
+  const vec3 c = reflected(s, incoming);
 #ifdef MUTANT_9211
   return c;
 #else

@@ -1,4 +1,5 @@
-// What every variant binds, and all of a pixel but its loop over the lights.
+// What every variant binds, and all of a pixel but its loop over the lights. SHADOWED: lights with views in the shadow
+// atlas shed what it lets through.
 #ifndef DEFERRED_LIGHTING_COMMON
 #define DEFERRED_LIGHTING_COMMON
 #define GBUFFER_READS 1
@@ -12,6 +13,15 @@ READS(5, uint, features);
 READS(6, LightRecord, lights);
 layout(binding = 7, rgba16f) uniform writeonly restrict image2D radiance;
 PARAMS(LightingParams);
+#ifdef SHADOWED
+READS(14, ShadowView, shadow_views);
+layout(binding = 15) uniform texture2D shadow_depth;
+layout(binding = 16) uniform texture2D depth_gradients;
+#define SHADOW_VIEWS params.shadow_views
+#define SHADOW_EXTENT uvec2(params.shadow_width, params.shadow_height)
+#define SHADOW_FILTER 3
+#include "harness/glsl/shadows.glsl"
+#endif
 
 // Reversed depth: the farther, the nearer to 0; 0 is no surface, as are NaN and what is below every float's precision.
 const float kLeastDepth = 1e-30;
@@ -61,7 +71,37 @@ vec3 position_of(uvec2 pixel, float d) {
 struct Lit {
   Surface surface;
   vec3 radiance;  // so far: ambient light and emission
+#ifdef SHADOWED
+  vec3 plane_normal;
+  float dither;
+#endif
 };
+
+#ifdef SHADOWED
+// Of the triangle's plane. Its depth changes by `gradient` of itself a pixel (kernels/depth_gradients), so a position w
+// ray moves by w (across - gradient.x ray) and w (down - gradient.y ray): the product of these, less what cancels.
+vec3 plane_normal_of(uvec2 pixel) {
+  const vec3 ray = ray_of(pixel), across = params.rays.across, down = params.rays.down;
+#ifdef MUTANT_26  // every plane faces the eye
+  const vec2 gradient = vec2(0.0);
+#elif defined(MUTANT_27)  // leans the other way
+  const vec2 gradient = -texelFetch(depth_gradients, ivec2(pixel), 0).rg;
+#else
+  const vec2 gradient = texelFetch(depth_gradients, ivec2(pixel), 0).rg;
+#endif
+  const vec3 n = cross(across, down) + gradient.x * cross(down, ray) + gradient.y * cross(ray, across);
+  return n * inversesqrt(max(dot(n, n), kLeastArea * kLeastArea));
+}
+#endif
+
+// What leaves the surface of one light.
+vec3 lit_by(Lit lit, LightRecord light) {
+#ifdef SHADOWED
+  return shade(lit.surface, light, shadow_at(light, lit.surface.position, lit.plane_normal, lit.dither));
+#else
+  return shade(lit.surface, light, 1.0);
+#endif
+}
 
 // The direction to the eye comes from the ray alone: its precision does not depend on the depth's.
 Lit start(uvec2 pixel, float d) {
@@ -74,6 +114,14 @@ Lit start(uvec2 pixel, float d) {
   lit.radiance = g.emissive + shade_ambient(lit.surface, params.ambient);
 #else
   lit.radiance = g.emissive + shade_ambient(lit.surface, params.ambient) * g.occlusion;
+#endif
+#ifdef SHADOWED
+  lit.plane_normal = plane_normal_of(pixel);
+#ifdef MUTANT_28  // every frame the same
+  lit.dither = shadow_dither(pixel, 0u);
+#else
+  lit.dither = shadow_dither(pixel, params.frame);
+#endif
 #endif
   return lit;
 }

@@ -297,7 +297,8 @@ std::vector<HardCase> hostile_cases() {
 
 std::vector<HardCase> hard_cases() {
   std::vector<HardCase> all;
-  for (auto& more : {size_cases(), surface_cases(), light_cases(), hostile_cases(), cell_cases(), primary_cases()})
+  for (auto& more :
+       {size_cases(), surface_cases(), light_cases(), hostile_cases(), cell_cases(), primary_cases(), shadow_cases()})
     all.insert(all.end(), more.begin(), more.end());
   return all;
 }

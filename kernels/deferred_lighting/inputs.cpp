@@ -120,6 +120,7 @@ Case random_case(Random& r) {
     default:
       add_lights(p, r.rng, 9 + r.rng.below(90), far ? 500 : 2);
   }
+  if (r.branch({{"shadows_none", 0.5}, {"shadows_some", 0.5}}) != 0) add_shadows(p, r.rng);
   if (r.branch({{"lights_whole", 0.8}, {"lights_broken", 0.2}}) != 0) break_lights(p, r.rng);
   p.params.frame = r.rng.next();
   p.rates = vrcs::random_rates(r, extent);
@@ -134,10 +135,27 @@ Case random_case(Random& r) {
 
 std::vector<std::string> branches() {
   std::vector<std::string> all = kExtentBranches;
-  for (const char* b :
-       {"near", "far", "turned", "straight", "all_covered", "holes", "rectangles", "noise", "plain_surfaces",
-        "featured_surfaces", "lights_none", "lights_few", "lights_many", "lights_whole", "lights_broken",
-        "covered_where_deep", "covered_elsewhere", "lists_made", "lists_spoilt"})
+  for (const char* b : {"near",
+                        "far",
+                        "turned",
+                        "straight",
+                        "all_covered",
+                        "holes",
+                        "rectangles",
+                        "noise",
+                        "plain_surfaces",
+                        "featured_surfaces",
+                        "lights_none",
+                        "lights_few",
+                        "lights_many",
+                        "shadows_none",
+                        "shadows_some",
+                        "lights_whole",
+                        "lights_broken",
+                        "covered_where_deep",
+                        "covered_elsewhere",
+                        "lists_made",
+                        "lists_spoilt"})
     all.push_back(b);
   all.insert(all.end(), vrcs::kRateBranches.begin(), vrcs::kRateBranches.end());
   return all;
@@ -170,7 +188,7 @@ std::vector<Case> smaller(const Case& c) {
     part.set_params(cut);
     part.set_input("depth", cropped(c.input<float>("depth"), c.extent, crop));
     part.set_input("metallic_occlusion", cropped(c.input<uint16_t>("metallic_occlusion"), c.extent, crop));
-    for (const char* words : {"base_roughness", "normal", "emissive", "features"})
+    for (const char* words : {"base_roughness", "normal", "emissive", "features", "depth_gradients"})
       part.set_input(words, cropped(c.input<uint32_t>(words), c.extent, crop));
     set_primaries(part, {.extent = crop.size, .params = params, .visibility = cropped(visibility, c.extent, crop)});
     found.push_back(std::move(part));
@@ -185,6 +203,7 @@ Case typical_with(Extent extent, uint32_t lights) {
               spot({-2.5, 3, -3}, {0.3, -1, -0.4}, 12, 0.3, 0.6, vec3(60, 70, 90))};
   if (lights > 3) add_lights(p, rng, lights - 3, 1.5);
   p.rates = vrcs::rates_in_blocks(extent, rng, 4);
+  add_hall_shadows(p);
   return to_case("typical", p);
 }
 
@@ -193,7 +212,7 @@ Case typical(Extent extent) { return typical_with(extent, 3); }
 Case in_frame(const FrameInputs& f) {
   Case c = {.name = "frame", .extent = f.extent};
   c.set_params(LightingParams{f.rays, f.near_plane, f.ambient, f.extent.width, f.extent.height, f.scene.lights, f.grid,
-                              list_capacity(f.grid), f.frame});
+                              list_capacity(f.grid), f.frame, f.shadows.views, f.shadows.width, f.shadows.height});
   return c;
 }
 

@@ -20,6 +20,11 @@ uint64_t cells(const Case& c) {
 uint64_t entries(const Case& c) { return c.params<LightingParams>().entries; }
 uint64_t slice_edges(const Case& c) { return uint64_t{c.params<LightingParams>().grid.slices} + 1; }
 
+uint64_t shadow_views(const Case& c) { return c.params<LightingParams>().shadow_views; }
+Extent shadow_extent(const Case& c) {
+  return {c.params<LightingParams>().shadow_width, c.params<LightingParams>().shadow_height};
+}
+
 uint64_t tiles(const Case& c) { return tile_count(c.extent, kVrcsTileSide); }
 uint64_t tile_entries(const Case& c) { return tiles(c) * kVrcsTileEntries; }
 
@@ -36,6 +41,9 @@ uint64_t bytes_of_tiles(const Case& c) {
 uint64_t bytes_of_list(const Case& c) {
   return pixels(c) * (sizeof(uvec2) + sizeof(uint)) + sizeof(uint) + sizeof(DispatchArgs);
 }
+uint64_t bytes_of_shadows(const Case& c) {
+  return pixels(c) * 4 + shadow_views(c) * sizeof(ShadowView) + pixel_count(shadow_extent(c)) * sizeof(float);
+}
 uint64_t lights_a_cell(const Case& c) { return entries(c) / std::max<uint64_t>(cells(c), 1); }
 
 uint64_t shaded_by_tiles(const Case& c) {
@@ -51,6 +59,7 @@ Cost cost_of_reads(const Case& c, uint64_t bytes_read, uint64_t shaded, uint64_t
 Cost cost(const Case& c) {
   return cost_of_reads(c, bytes_of_pixels(c) + bytes_of_cells(c), pixels(c), lights_a_cell(c));
 }
+Cost cost_of_plain(const Case& c) { return cost_of_reads(c, bytes_of_pixels(c), pixels(c), lights(c)); }
 Cost cost_of_tiles(const Case& c) {
   return cost_of_reads(c, bytes_of_pixels(c) + bytes_of_cells(c) + bytes_of_tiles(c), shaded_by_tiles(c),
                        lights_a_cell(c));
@@ -61,6 +70,18 @@ Cost cost_of_plain_tiles(const Case& c) {
 Cost cost_of_list(const Case& c) {
   return cost_of_reads(c, bytes_of_pixels(c) + bytes_of_cells(c) + bytes_of_list(c), c.input<uint>("list_count")[0],
                        lights_a_cell(c));
+}
+
+// With shadows: a lookup of 3x3 taps has 220 operations beside the 150 of its light.
+std::function<Cost(const Case&)> in_shadow(std::function<Cost(const Case&)> unshadowed) {
+  return [unshadowed = std::move(unshadowed)](const Case& c) {
+    Cost all = unshadowed(c);
+    uint64_t casting = 0;
+    for (const LightRecord& light : c.input<LightRecord>("lights")) casting += light.views > 0;
+    all.bytes_read += bytes_of_shadows(c);
+    all.operations += all.operations * 220 * casting / (150 * std::max<uint64_t>(lights(c), 1));
+    return all;
+  };
 }
 
 // Both producers of a channel of the G-buffer; the update, where there is one, made the latest version.
@@ -92,18 +113,25 @@ std::vector<Port> ports() {
       all.push_back(std::move(p));
     }
   };
-  add({"clustered", "clustered_scalarised", "clustered_tile_list", "clustered_list"},
+  add({"clustered", "clustered_scalarised", "clustered_tile_list", "clustered_list", "clustered_shadowed",
+       "clustered_tile_list_shadowed"},
       {reads<uvec2>("cells", cells, {"cluster_lists.cells"}),
        reads<uint>("entries", entries, {"cluster_lists.entries"}),
        reads<float>("slice_edges", slice_edges, {"scene.slice_edges"})});
-  add({"clustered_tile_list", "plain_tile_list", "clustered_list"},
+  add({"clustered_tile_list", "plain_tile_list", "clustered_list", "clustered_tile_list_shadowed",
+       "plain_tile_list_shadowed"},
       {reads_image("visibility", Format::rg32_uint, {"visibility.visibility"})});
-  add({"clustered_tile_list", "plain_tile_list"},
+  add({"clustered_tile_list", "plain_tile_list", "clustered_tile_list_shadowed", "plain_tile_list_shadowed"},
       {reads<uint>("tiles", tiles, {"vrcs_coordinates.tiles"}),
        reads<uint>("tile_entries", tile_entries, {"vrcs_coordinates.entries"})});
   add({"clustered_list"}, {reads<uint>("list", pixels, {"vrcs_coordinates.list"}),
                            reads<uint>("list_count", fixed(1), {"vrcs_coordinates.list_count"}),
                            reads<DispatchArgs>("list_args", fixed(1), {"vrcs_coordinates.list_args"})});
+  Port shadow_depth = reads_image("shadow_depth", Format::d32_float, {"shadow_atlas.depth"});
+  shadow_depth.extent = shadow_extent;
+  add({"plain_shadowed", "clustered_shadowed", "plain_tile_list_shadowed", "clustered_tile_list_shadowed"},
+      {reads<ShadowView>("shadow_views", shadow_views, {"scene.shadow_views"}), shadow_depth,
+       reads_image("depth_gradients", Format::rg16_float, {"depth_gradients.gradients"})});
   return all;
 }
 
@@ -129,8 +157,27 @@ Variant of_primaries(const std::string& name, std::vector<Pass> passes, std::fun
           .note = note};
 }
 
+// The same as a variant, and what the shadow atlas lets through.
+Variant with_shadows(Variant v, std::function<Cost(const Case&)> cost) {
+  v.name += "_shadowed";
+  std::get<Dispatch>(v.passes.at(0)).shader = v.name + ".comp";
+  Bound bound = radiance("a tap's comparison within fp32's running error (kernels/shadow_lookup); else as without");
+  bound.answer = v.name;
+  v.bounds = std::vector<Bound>{bound};
+  v.cost = in_shadow(std::move(cost));
+  v.note += "; 3x3 taps of each shadow";
+  return v;
+}
+
 std::vector<Variant> variants() {
-  return {{.name = "plain", .passes = {Dispatch{"plain.comp", per_tile}}, .note = "each pixel walks all lights"},
+  const Variant plain = {
+      .name = "plain", .passes = {Dispatch{"plain.comp", per_tile}}, .note = "each pixel walks all lights"};
+  const Variant by_cell = clustered("clustered", {}, "each pixel walks the lights of its cell");
+  const Variant tiles = of_primaries("clustered_tile_list", {Dispatch{"clustered_tile_list.comp", per_tile_in_rows}},
+                                     cost_of_tiles, "a group a tile of 16x16 shades its primaries and copies");
+  const Variant plain_tiles = of_primaries("plain_tile_list", {Dispatch{"plain_tile_list.comp", per_tile_in_rows}},
+                                           cost_of_plain_tiles, "the same by all lights");
+  return {plain,
           {.name = "tiled_shared",
            .passes = {Dispatch{"tiled_shared.comp", per_tile}},
            .note = "a group fetches lights once, through shared memory"},
@@ -138,17 +185,19 @@ std::vector<Variant> variants() {
            .passes = {Dispatch{"subgroup_cull.comp", per_tile}},
            .needs = {Feature::subgroup_ballot, Feature::subgroup_arithmetic},
            .note = "a wave leaves out lights whose range its pixels' box is beyond"},
-          clustered("clustered", {}, "each pixel walks the lights of its cell"),
+          by_cell,
           clustered("clustered_scalarised", {Feature::subgroup_ballot, Feature::subgroup_arithmetic},
                     "a wave walks the lights of its cells together, in one cell without asking"),
-          of_primaries("clustered_tile_list", {Dispatch{"clustered_tile_list.comp", per_tile_in_rows}}, cost_of_tiles,
-                       "a group a tile of 16x16 shades its primaries and copies"),
-          of_primaries("plain_tile_list", {Dispatch{"plain_tile_list.comp", per_tile_in_rows}}, cost_of_plain_tiles,
-                       "the same by all lights"),
+          tiles,
+          plain_tiles,
           of_primaries("clustered_list",
                        {Dispatch{"background.comp", per_tile},
                         Dispatch{.shader = "clustered_list.comp", .indirect = "list_args"}},
-                       cost_of_list, "a thread a primary of the screen's list, after the background")};
+                       cost_of_list, "a thread a primary of the screen's list, after the background"),
+          with_shadows(plain, cost_of_plain),
+          with_shadows(by_cell, cost),
+          with_shadows(tiles, cost_of_tiles),
+          with_shadows(plain_tiles, cost_of_plain_tiles)};
 }
 
 std::vector<Mutant> mutants() {
@@ -177,6 +226,9 @@ std::vector<Mutant> mutants() {
           {"clustered_list.comp", 23, "one row of groups", "rows_of_groups"},
           {"clustered_list.comp", 24, "the last thread of a group has nothing to do", "all_2x2"},
           {"background.comp", 25, "the background ends with whole groups", "one_pixel_of_sky"},
+          {"common.glsl", 26, "every plane faces the eye", "leaning_planes"},
+          {"common.glsl", 27, "planes lean the other way", "leaning_planes"},
+          {"common.glsl", 28, "the dither is every frame the same", "dithered_cascades"},
           {"harness/glsl/vrcs.glsl", 9601, "lists are trusted", "entries_off_screen"},
           {"harness/glsl/vrcs.glsl", 9602, "the last list that saves a wave is not taken", "primaries_224"},
           {"harness/glsl/vrcs.glsl", 9603, "one lane too many", "all_2x1"},

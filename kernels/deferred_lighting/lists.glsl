@@ -28,8 +28,8 @@ List list_of(uint cell) {
 uint light_in(uint entry) { return unpack_cluster(entries[entry]).x; }
 void add_light(inout Lit lit, uint light) {
 #ifdef MUTANT_14  // the last light is not there
-  if (light + 1u < light_count()) lit.radiance += shade(lit.surface, lights[light]);
+  if (light + 1u < light_count()) lit.radiance += lit_by(lit, lights[light]);
 #else
-  if (light < light_count()) lit.radiance += shade(lit.surface, lights[light]);
+  if (light < light_count()) lit.radiance += lit_by(lit, lights[light]);
 #endif
 }

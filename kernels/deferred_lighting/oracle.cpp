@@ -1,11 +1,14 @@
 #include "kernels/deferred_lighting/oracle.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <unordered_map>
 
 #include "harness/half.h"
 #include "harness/judged.h"
 #include "harness/lighting_oracle.h"
+#include "harness/shadow_oracle.h"
 #include "kernels/deferred_lighting/layout.h"
 #include "kernels/deferred_lighting/sources.h"
 
@@ -19,6 +22,8 @@ using shading::Colour;
 constexpr double u = kUnitRoundoff;
 constexpr double kLeastDepth = 1e-30;
 constexpr uint64_t kJudgedPixels = 1u << 14;  // of a case in which every light meets every pixel of this many
+constexpr uint32_t kShadowTaps = 3;
+constexpr double kDecided = 0.01;
 constexpr uint64_t kJudgedShades = 1u << 20;  // pixels times lights
 
 struct View {
@@ -30,6 +35,9 @@ struct View {
   std::span<const uint16_t> metal = c.input<uint16_t>("metallic_occlusion");
   std::span<const LightRecord> lights =
       c.input<LightRecord>("lights").first(std::min<size_t>(params.lights, kMostLights));
+  std::span<const std::array<uint16_t, 2>> gradients = c.input<std::array<uint16_t, 2>>("depth_gradients");
+  shadowing::Map shadows = {
+      c.input<ShadowView>("shadow_views"), {params.shadow_width, params.shadow_height}, c.input<float>("shadow_depth")};
 };
 
 uint32_t byte_of(uint32_t word, uint32_t i) { return word >> 8 * i & 255u; }
@@ -98,13 +106,49 @@ std::vector<LightRecord> listed(const View& v, uint64_t pixel) {
   return found;
 }
 
-Colour radiance_of(const View& v, uint64_t pixel, std::span<const LightRecord> lights) {
+// Of the plane whose depth changes so from pixel to pixel: the product of how positions do.
+Ball plane_normal_of(const View& v, uint64_t pixel) {
+  const Ball ray = ray_of(v.params, pixel), across = {dvec3(v.params.rays.across), 0},
+             down = {dvec3(v.params.rays.down), 0};
+  const double x = half_value(v.gradients[pixel][0]), y = half_value(v.gradients[pixel][1]);
+  if (!std::isfinite(x) || !std::isfinite(y)) return {dvec3(std::numeric_limits<double>::quiet_NaN()), 0};
+  const auto times = [](const Ball& a, double s) {
+    return Ball{a.value * s, (a.error + u * reach(a)) * std::fabs(s) * bounded::kSlack};
+  };
+  return normalised(cross(across, down) + times(cross(down, ray), x) + times(cross(ray, across), y), kLeastArea);
+}
+
+struct Shares {  // of lights that arrive at a pixel
+  Ball normal;
+  float dither;
+};
+Shares shares_at(const View& v, uint64_t pixel) {
+  const auto column = static_cast<uint32_t>(pixel % v.params.width),
+             row = static_cast<uint32_t>(pixel / v.params.width);
+  return {plane_normal_of(v, pixel), shadowing::dither_of(column, row, v.params.frame)};
+}
+
+struct Radiance {
+  Colour colour;
+  bool undecided = false;  // a share is open by more than a hundredth
+};
+
+Radiance radiance_of(const View& v, uint64_t pixel, std::span<const LightRecord> lights, bool shadowed) {
   const shading::OracleSurface s = surface_of(v, pixel);
   const dvec3 emission = emission_of(v.emissive[pixel]);
   Colour sum = Colour{exactly(emission.x), exactly(emission.y), exactly(emission.z)} +
                shading::shade_ambient(s, v.params.ambient) * shading::unorm8(v.metal[pixel] >> 8u);
-  for (const LightRecord& light : lights) sum = sum + shading::shade(s, light);
-  return sum;
+  Radiance r = {sum};
+  const Shares at = shadowed ? shares_at(v, pixel) : Shares{};
+  for (const LightRecord& light : lights) {
+    Interval visible = exactly(1);
+    if (shadowed) visible = shadowing::share_of(v.shadows, kShadowTaps, light, s.position, at.normal, at.dither);
+    const Colour arrived = shading::shade(s, light, visible);
+    if (visible.high - visible.low > kDecided)
+      for (const Interval& i : arrived) r.undecided |= i.low != i.high;
+    r.colour = r.colour + arrived;
+  }
+  return r;
 }
 
 // All pixels of small cases; of others every n-th, n odd so that neighbouring rows differ.
@@ -144,27 +188,32 @@ namespace {
 
 struct Texels {
   vec4 low = vec4(0), high = vec4(0);  // background
+  bool undecided = false;
 };
 
 // Of pixels under the lights that light_of() names, each worked out once: copies ask for their primary's.
 class Lit {
  public:
   using LightsOf = std::function<std::vector<LightRecord>(uint64_t)>;
-  Lit(const View& v, LightsOf lights_of) : view_(v), lights_of_(std::move(lights_of)) {}
+  Lit(const View& v, bool shadowed, LightsOf lights_of)
+      : view_(v), shadowed_(shadowed), lights_of_(std::move(lights_of)) {}
 
   const Texels& at(uint64_t pixel) {
     const auto [it, is_new] = known_.try_emplace(pixel);
     Texels& t = it->second;
     if (!is_new || pixel == kFromNowhere || !has_surface(view_.depth[pixel])) return t;
-    const Colour r = radiance_of(view_, pixel, lights_of_(pixel));
+    const Radiance r = radiance_of(view_, pixel, lights_of_(pixel), shadowed_);
     for (int i = 0; i < 3; ++i)
-      t.low[i] = lowest(r[static_cast<size_t>(i)].low), t.high[i] = highest(r[static_cast<size_t>(i)].high);
+      t.low[i] = lowest(r.colour[static_cast<size_t>(i)].low),
+      t.high[i] = highest(r.colour[static_cast<size_t>(i)].high);
     t.low.w = t.high.w = 1;
+    t.undecided = r.undecided;
     return t;
   }
 
  private:
   const View& view_;
+  bool shadowed_;
   LightsOf lights_of_;
   std::unordered_map<uint64_t, Texels> known_;
 };
@@ -173,7 +222,10 @@ struct Answered {
   Expected e;
   std::vector<vec4> low, high;
 
-  void add(const Texels& t) { low.push_back(t.low), high.push_back(t.high); }
+  // Twice what is undecided.
+  void add(const Texels& t) {
+    for (int n = t.undecided ? 2 : 1; n > 0; --n) low.push_back(t.low), high.push_back(t.high);
+  }
   Expected done() {
     e.low = expect_all(low).low, e.high = expect_all(high).low;
     return std::move(e);
@@ -221,14 +273,23 @@ Expected by_sources(const View& v, const std::vector<uint64_t>& judged, Lit& lit
 Answer expected_radiance(const Case& c) {
   const View v = {c};
   const auto judged = judged_pixels(v);
-  Lit by_all(v, [&](uint64_t) { return std::vector(v.lights.begin(), v.lights.end()); });
-  Lit by_listed(v, [&](uint64_t pixel) { return listed(v, pixel); });
+  const auto first = [&v](size_t most) {
+    const auto some = v.lights.first(std::min(v.lights.size(), most));
+    return [some](uint64_t) { return std::vector(some.begin(), some.end()); };
+  };
+  const auto of_cell = [&](uint64_t pixel) { return listed(v, pixel); };
+  Lit by_all(v, false, first(kMostLights)), by_listed(v, false, of_cell);
+  Lit shadowed_all(v, true, first(kMostShadowedLights)), shadowed_listed(v, true, of_cell);
   const Sources by_tiles = sources_by_tiles(c), by_list = sources_by_list(c);
   return {{"radiance", each_its_own(v, judged, by_all)},
           {"clustered_radiance", each_its_own(v, judged, by_listed)},
           {"plain_tile_list", by_sources(v, judged, by_all, by_tiles)},
           {"clustered_tile_list", by_sources(v, judged, by_listed, by_tiles)},
-          {"clustered_list", by_sources(v, judged, by_listed, by_list)}};
+          {"clustered_list", by_sources(v, judged, by_listed, by_list)},
+          {"plain_shadowed", each_its_own(v, judged, shadowed_all)},
+          {"clustered_shadowed", each_its_own(v, judged, shadowed_listed)},
+          {"plain_tile_list_shadowed", by_sources(v, judged, shadowed_all, by_tiles)},
+          {"clustered_tile_list_shadowed", by_sources(v, judged, shadowed_listed, by_tiles)}};
 }
 
 std::vector<double> relative_widths(const Case& c) {
@@ -236,7 +297,7 @@ std::vector<double> relative_widths(const Case& c) {
   std::vector<double> widths;
   for_each_judged(c, judged_pixels(v), [&](uint64_t pixel) {
     if (!has_surface(v.depth[pixel])) return;
-    for (const Interval& i : radiance_of(v, pixel, v.lights))
+    for (const Interval& i : radiance_of(v, pixel, v.lights, false).colour)
       if (i.low + i.high > 2e-3) widths.push_back((i.high - i.low) / (0.5 * (i.low + i.high)));
   });
   return widths;

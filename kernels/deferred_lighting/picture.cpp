@@ -5,6 +5,7 @@
 
 #include "harness/clusters.h"
 #include "harness/formats/visibility.h"
+#include "harness/half.h"
 #include "harness/vrcs_lists.h"
 #include "harness/vrcs_screens.h"
 #include "kernels/deferred_lighting/oracle.h"
@@ -40,14 +41,15 @@ void hit_ball(Hit& hit, const dvec3& ray, const dvec3& centre, double radius, in
 }
 
 constexpr int kBalls = 10;
+constexpr double kBallRadius = 0.7;
+dvec3 ball(int i) { return {-3.2 + 1.6 * (i % 5), i < 5 ? -0.9 : 0.9, i < 5 ? -4.5 : -6}; }
 
 Hit look(const dvec3& ray) {
   Hit hit;
   hit_plane(hit, ray, {0, 1, 0}, -1.6, kBalls);
   hit_plane(hit, ray, {0, 0, 1}, -9, kBalls + 1);
   hit_plane(hit, ray, {1, 0, 0}, -5, kBalls + 2);
-  for (int i = 0; i < kBalls; ++i)
-    hit_ball(hit, ray, {-3.2 + 1.6 * (i % 5), i < 5 ? -0.9 : 0.9, i < 5 ? -4.5 : -6}, 0.7, i);
+  for (int i = 0; i < kBalls; ++i) hit_ball(hit, ray, ball(i), kBallRadius, i);
   return hit;
 }
 
@@ -63,6 +65,14 @@ void Picture::place(uint32_t x, uint32_t y, double view_depth) {
   depth[at(x, y)] = static_cast<float>(double{params.near_plane} / view_depth);
 }
 void Picture::face(uint32_t x, uint32_t y, const dvec3& n) { normal[at(x, y)] = octahedral_code(n); }
+
+// 1/w is linear on a plane in the screen, n.ray over a constant.
+void Picture::lean(uint32_t x, uint32_t y, const dvec3& n) {
+  if (gradients.empty()) gradients.resize(depth.size());
+  const double here = glm::dot(n, ray(x + 0.5, y + 0.5));
+  gradients[at(x, y)] = {half_bits(glm::dot(n, dvec3(params.rays.across)) / here),
+                         half_bits(glm::dot(n, dvec3(params.rays.down)) / here)};
+}
 
 uint32_t octahedral_code(const dvec3& n) {
   const double sum = std::fabs(n.x) + std::fabs(n.y) + std::fabs(n.z);
@@ -151,6 +161,35 @@ void add_some_cells(Picture& p) {
   });
 }
 
+// The lesser of a pixel's two differences along one side, over its depth.
+uint16_t lesser_step(const Picture& p, uint32_t along, uint32_t length, size_t here, size_t stride) {
+  const double d = p.depth[here];
+  if (!has_surface(p.depth[here])) return 0;
+  double least = 0;
+  bool is_first = true;
+  const auto look = [&](double step) {
+    if (is_first || std::fabs(step) < std::fabs(least)) least = step;
+    is_first = false;
+  };
+  if (along > 0 && has_surface(p.depth[here - stride])) look(d - p.depth[here - stride]);
+  if (along + 1 < length && has_surface(p.depth[here + stride])) look(p.depth[here + stride] - d);
+  return half_bits(std::clamp(least / d, -kLargestHalf, kLargestHalf));
+}
+std::vector<std::array<uint16_t, 2>> gradients_of(const Picture& p) {
+  std::vector<std::array<uint16_t, 2>> gradients;
+  for (uint32_t y = 0; y < p.extent.height; ++y)
+    for (uint32_t x = 0; x < p.extent.width; ++x)
+      gradients.push_back({lesser_step(p, x, p.extent.width, p.at(x, y), 1),
+                           lesser_step(p, y, p.extent.height, p.at(x, y), p.extent.width)});
+  return gradients;
+}
+
+void set_shadows(Case& c, const Picture& p) {
+  c.set_input("depth_gradients", p.gradients.empty() ? gradients_of(p) : p.gradients);
+  c.set_input("shadow_views", p.atlas.views);
+  c.set_input("shadow_depth", p.atlas.depths);
+}
+
 }  // namespace
 
 Case to_case(const std::string& name, const Picture& p) {
@@ -164,6 +203,8 @@ Case to_case(const std::string& name, const Picture& p) {
   params.entries = static_cast<uint32_t>(p.entries.size());
   params.width = p.extent.width, params.height = p.extent.height;
   params.lights = static_cast<uint32_t>(p.lights.size());
+  params.shadow_views = static_cast<uint32_t>(p.atlas.views.size());
+  params.shadow_width = p.atlas.extent.width, params.shadow_height = p.atlas.extent.height;
   c.set_params(params);
   c.set_input("depth", p.depth);
   c.set_input("base_roughness", p.base);
@@ -175,6 +216,7 @@ Case to_case(const std::string& name, const Picture& p) {
   c.set_input("cells", p.cells);
   c.set_input("entries", p.entries);
   c.set_input("slice_edges", p.slice_edges);
+  set_shadows(c, p);
   set_primaries(c, p);
   return c;
 }
@@ -217,6 +259,54 @@ LightRecord spot(const dvec3& position, const dvec3& direction, double range, do
           vec3(glm::normalize(direction)),
           static_cast<float>(scale),
           static_cast<float>(-std::cos(outer_rad) * scale)};
+}
+
+void add_hall_shadows(Picture& p) {
+  constexpr uint32_t kSide = 128;
+  constexpr double kReach = 20;
+  p.atlas = shadowing::Atlas({kCubeFaces * kSide, 3 * kSide});
+  LightRecord &sun = p.lights[0], &lamp = p.lights[1], &cone = p.lights[2];
+  sun.first_view = 0, sun.views = 3;
+  for (uint32_t i = 0; i < sun.views; ++i)
+    p.atlas.add_cascade({i * kSide, 0, kSide}, {0, 0, -4}, dvec3(sun.direction), 3 << i, 20, kReach);
+  lamp.first_view = p.atlas.add_cube({0, kSide, kSide}, dvec3(lamp.position), 0.1, kReach), lamp.views = kCubeFaces;
+  cone.views = 1, cone.first_view = p.atlas.add_spot({0, 2 * kSide, kSide}, dvec3(cone.position), dvec3(cone.direction),
+                                                     0.7, 0.1, kReach);
+  for (const LightRecord& light : {sun, lamp, cone})
+    for (int i = 0; i < kBalls; ++i) {
+      const dvec3 ray = light.kind == kLightDirectional ? dvec3(light.direction) : ball(i) - dvec3(light.position);
+      for (uint32_t view = 0; view < light.views; ++view)
+        p.atlas.draw(light.first_view + view, {ball(i), ray, kBallRadius});
+    }
+}
+
+void add_shadows(Picture& p, Pcg32& rng) {
+  constexpr uint32_t kLights = 8, kSide = 32;
+  p.atlas = shadowing::Atlas({kLights * kSide, kLights * kSide});
+  for (uint32_t i = 0; i < std::min<size_t>(p.lights.size(), kLights); ++i) {
+    LightRecord& light = p.lights[i];
+    const uint32_t x = rng.below(p.extent.width), y = rng.below(p.extent.height);
+    const dvec3 seen = has_surface(p.depth[p.at(x, y)]) ? p.position(x, y) : p.ray(x, y) * 3.0;
+    const dvec3 position = dvec3(light.position), direction = dvec3(light.direction);
+    const double reach = glm::length(seen) + 10;
+    const ShadowTile tile = {0, i * kSide, kSide};
+    light.first_view = static_cast<uint32_t>(p.atlas.views.size());
+    if (light.kind == kLightDirectional)
+      for (uint32_t k = 0; k < 3; ++k)
+        p.atlas.add_cascade({k * kSide, tile.y, kSide}, seen, direction, std::exp2(k), 40, reach);
+    else if (light.kind == kLightPoint)
+      p.atlas.add_cube(tile, position, 0.05, reach);
+    else
+      p.atlas.add_spot(tile, position, direction, rng.range(0.5, 1.3), 0.05, reach);
+    light.views = static_cast<uint32_t>(p.atlas.views.size()) - light.first_view;
+    const dvec3 from = light.kind == kLightDirectional ? seen - 5.0 * direction : position;
+    for (uint32_t k = 0; k < 3; ++k) {
+      const dvec3 centre = from + rng.range(0.2, 0.95) * (seen - from);
+      const dvec3 normal = {rng.range(-1, 1), rng.range(-1, 1), rng.range(-1, 1)};
+      for (uint32_t view = 0; view < light.views; ++view)
+        p.atlas.draw(light.first_view + view, {centre, normal, rng.range(0.05, 0.5) * glm::length(seen - from)});
+    }
+  }
 }
 
 void add_lights(Picture& p, Pcg32& rng, uint32_t count, double reach) {

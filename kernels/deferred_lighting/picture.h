@@ -1,8 +1,9 @@
 // G-buffers made by hand, for the cases, and what their pixels' rates make of them.
 #pragma once
+#include <array>
 #include <functional>
 
-#include "harness/oracle.h"
+#include "harness/shadow_maps.h"
 #include "kernels/deferred_lighting/layout.h"
 
 namespace assay::deferred_lighting {
@@ -21,12 +22,16 @@ struct Picture {
   // What covers each pixel, and the rate of each cell of 2x2; empty: to_case makes some, covered where there is depth.
   std::vector<uvec2> visibility = {};
   std::vector<uint8_t> rates = {};
+  // How depth changes over itself, halves; empty: to_case takes the lesser differences.
+  std::vector<std::array<uint16_t, 2>> gradients = {};
+  shadowing::Atlas atlas = shadowing::Atlas({1, 1});
 
   size_t at(uint32_t x, uint32_t y) const { return size_t{y} * extent.width + x; }
   glm::dvec3 ray(double x, double y) const;                     // to view depth 1, through (x, y) in pixels
   glm::dvec3 position(uint32_t x, uint32_t y) const;            // of the pixel's surface
   void place(uint32_t x, uint32_t y, double view_depth);        // sets the depth
   void face(uint32_t x, uint32_t y, const glm::dvec3& normal);  // sets the normal
+  void lean(uint32_t x, uint32_t y, const glm::dvec3& normal);  // sets the gradient, of a plane
   void face_eye(uint32_t x, uint32_t y) { face(x, y, -ray(x + 0.5, y + 0.5)); }
 };
 
@@ -55,6 +60,10 @@ LightRecord point(const glm::dvec3& position, double range, const vec3& colour);
 // Inner and outer half angles of the cone.
 LightRecord spot(const glm::dvec3& position, const glm::dvec3& direction, double range, double inner_rad,
                  double outer_rad, const vec3& colour);
+// Views of its lights, a row of tiles each, up to eight of them; what casts is random and lies between.
+void add_shadows(Picture&, Pcg32&);
+// Of the hall, in which its first three lights are a sun, a point and a spot; its balls cast.
+void add_hall_shadows(Picture&);
 // Lights of every kind about the picture's surfaces, bright enough to be seen.
 void add_lights(Picture&, Pcg32&, uint32_t count, double reach);
 

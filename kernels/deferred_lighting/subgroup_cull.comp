@@ -56,7 +56,7 @@ void main() {
       const uint i = subgroupBroadcast(mine, lane);
 #endif
       left[lane / 32u] &= left[lane / 32u] - 1u;
-      if (d != 0.0) lit.radiance += shade(lit.surface, lights[i]);
+      if (d != 0.0) lit.radiance += lit_by(lit, lights[i]);
     }
   }
   if (!on_screen(pixel)) return;

@@ -26,7 +26,7 @@ void main() {
     const uint here = min(count - first, kBatch);
 #endif
     if (d != 0.0)
-      for (uint i = 0u; i < here; ++i) lit.radiance += shade(lit.surface, batch[i]);
+      for (uint i = 0u; i < here; ++i) lit.radiance += lit_by(lit, batch[i]);
 #ifndef MUTANT_10  // the barrier dropped: the next batch overwrites what slower subgroups still read
     barrier();
 #endif

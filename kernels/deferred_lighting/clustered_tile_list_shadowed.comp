@@ -1,0 +1,4 @@
+#version 460
+#define SHADOWED
+#include "kernels/deferred_lighting/cell_lights.glsl"
+#include "kernels/deferred_lighting/tile_list.glsl"

@@ -1,0 +1,3 @@
+#version 460
+#define SHADOW_FILTER 7
+#include "kernels/shadow_lookup/lookup.glsl"
