@@ -12,6 +12,8 @@ std::vector<Light> lights_of(const Scene&, const Camera&);
 void append_lights(const Scene&, const Camera&, const ClipRows&, Gathered&);
 // Records and receivers of the decals that reach the view, and the atlas of their pictures.
 void append_decals(const Scene&, const Camera&, const ClipRows&, Gathered&);
+// Records of all particles, and the order of those that are seen.
+void append_particles(const Scene&, const Camera&, const ClipRows&, Gathered&);
 // Where a decal may be found, relative to the camera, world axes: its box and what shaders' positions may be off.
 ClusterItem reach_of(const DecalRecord&, const ReceiverRecord*);
 // What a position rebuilt from a depth, and how an item lies to it, may be off by in floats, of the lengths involved:
