@@ -39,8 +39,9 @@ struct FrameInputs {
   ViewRays rays = {};
   ClusterGrid grid = {};  // without cells: clusters are off
   float near_plane = 0.1f;
-  float exposure_stops = 0;  // added to the automatic exposure
-  uint32_t frame = 0;        // its number in a sequence
+  vec3 ambient = vec3(0.03f, 0.035f, 0.04f);  // radiance that comes from everywhere
+  float exposure_stops = 0;                   // added to the automatic exposure
+  uint32_t frame = 0;                         // its number in a sequence
   bool vrcs = false;         // shading rates vary: passes shade primaries and copy (harness/formats/vrcs.h)
   float vrcs_tolerance = 0;  // error that is let pass, of luma 0..1
   // Share of the display's height that the picture has, as dynamic resolution chose it; 0: that is not known.

@@ -29,6 +29,7 @@ TEST(DefaultScene, HasWhatItPromises) {
   EXPECT_EQ(s.materials.size(), 60u);
   EXPECT_EQ(s.lights.size(), 300u);
   EXPECT_EQ(s.decals.size(), 1000u);
+  EXPECT_EQ(s.particles.size(), 2000u);
   std::set<uint32_t> pictures, receivers;
   for (const scene::Decal& d : s.decals) {
     EXPECT_EQ(fault_of(d, s), "");

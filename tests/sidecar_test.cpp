@@ -172,6 +172,25 @@ TEST(Sidecar, DecalsWithPicturesBesideTheFile) {
   fs::remove(a), fs::remove(b);
 }
 
+TEST(Sidecar, ParticlesOfEitherKind) {
+  const Scene s = with(R"({"particles": [
+    {"kind": "smoke", "position": [1, 2, 3], "count": 5, "radius": 0.5, "height": 3, "opacity": 0.25},
+    {"kind": "dust", "position": [0, 1, 0], "half_extents": [2, 1, 2], "count": 7, "colour": [0.5, 0.25, 1]}]})");
+  ASSERT_EQ(s.particles.size(), 12u);
+  EXPECT_GT(s.particles[0].velocity.y, 0) << "smoke rises";
+  EXPECT_EQ(s.particles[0].opacity, 0.25f);
+  EXPECT_EQ(s.particles[5].albedo, glm::vec3(0.5f, 0.25f, 1));
+  const auto refused = [](const std::string& emitter) { return complaint(R"({"particles": [)" + emitter + "]}"); };
+  EXPECT_NE(refused(R"({"position": [0, 0, 0]})").find("particles[0]: kind is missing"), std::string::npos);
+  EXPECT_NE(refused(R"({"kind": "rain", "position": [0, 0, 0]})").find("is not smoke or dust"), std::string::npos);
+  EXPECT_NE(refused(R"({"kind": "smoke"})").find("position"), std::string::npos);
+  EXPECT_NE(refused(R"({"kind": "dust", "position": [0, 0, 0], "height": 2})").find("has no member \"height\""),
+            std::string::npos);
+  EXPECT_NE(refused(R"({"kind": "dust", "position": [0, 0, 0], "count": -1})").find("no whole number"),
+            std::string::npos);
+  EXPECT_NE(refused(R"({"kind": "dust", "position": [0, 0, 0], "opacity": 2})").find("opacity"), std::string::npos);
+}
+
 TEST(Sidecar, EveryTruncationIsRefused) {
   const std::string whole = R"({"lights": [{"kind": "point", "position": [1, 2, 3], "intensity": 1.5}]})";
   ASSERT_EQ(complaint(whole), "");

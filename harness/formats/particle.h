@@ -23,7 +23,11 @@ SHARED_CONST uint kRectSizeShift = 18u;  // bits 18..19: 0 none, else side = 4 <
 SHARED_CONST uint kRectSizes = 3u;
 SHARED_CONST uint kNoRect = 0u;
 
+// Texel (i, j) of a rectangle has the light of the quad at centre + ((2 i + 1) / side - 1) right
+// + ((2 j + 1) / side - 1) up.
+
 // The atlas is square, of regions one below the other: first rectangles of 32x32, then of 16x16, then of 8x8.
+SHARED_CONST uint kMostAtlasSide = 4096u;
 struct ParticleAtlas {
   uint side;              // texels, a multiple of 32, at most 4096
   uint rows[kRectSizes];  // texels that the regions are high: of 8x8, 16x16, 32x32; multiples of their rectangles' side

@@ -42,9 +42,11 @@ constexpr View kViews[] = {
 };
 constexpr const char* kListStatus = "cluster_lists.list_status";
 // The picture before it is exposed, the one that is shown first.
-constexpr const char* kRadiance[] = {"vrcs_deblock.deblocked_radiance", "vrcs_deblock.radiance_in_place",
-                                     "deferred_lighting.radiance"};
+constexpr const char* kRadiance[] = {"particles.radiance", "vrcs_deblock.deblocked_radiance",
+                                     "vrcs_deblock.radiance_in_place", "deferred_lighting.radiance"};
 constexpr const char* kLuma = "vrcs_deblock.luma";
+constexpr const char* kBlendedLuma = "blended_luma.luma";  // the same image, after particles
+constexpr const char* kParticleRects = "particle_rects.rects";
 constexpr const char* kExposure = "resolve.exposure";
 // Of the shadow atlas, for a next frame.
 constexpr const char* kShadowStill = "shadow_atlas.still";
@@ -56,6 +58,8 @@ constexpr const char* kDownloads[] = {"visibility.visibility",
                                       kRadiance[0],
                                       kRadiance[1],
                                       kRadiance[2],
+                                      kRadiance[3],
+                                      kParticleRects,
                                       kLuma,
                                       kRates,
                                       kTiles,
@@ -80,14 +84,21 @@ bool in_registry(const std::string& resource) {
 
 bool varies(const Options& options) { return options.vrcs != "off"; }
 
-std::vector<std::string> goals_of(const Options& options, const View& view) {
+// Blended surfaces change it, where there are some and kernels that draw them.
+const char* luma_of(const scene::Gathered& gathered) {
+  const bool drawn = !gathered.particle_order.empty() && in_registry(kRadiance[0]) &&
+                     in_registry("particle_light_atlas.atlas") && in_registry(kBlendedLuma);
+  return drawn ? kBlendedLuma : kLuma;
+}
+
+std::vector<std::string> goals_of(const Options& options, const View& view, const scene::Gathered& gathered) {
   if (!options.goals.empty()) return options.goals;
   std::vector<std::string> goals;
   if (varies(options)) goals.push_back(kTiles);
   goals.emplace_back(view.image);
   for (const char* statistics : {kStatistics, kWorkloadCounts})
     if (in_registry(statistics)) goals.push_back(statistics);
-  if (varies(options) && view.debug == kViewCount) goals.push_back(kLuma);
+  if (varies(options) && view.debug == kViewCount) goals.emplace_back(luma_of(gathered));
   return goals;
 }
 
@@ -188,7 +199,7 @@ Prepared prepare(const device::Info& info, const scene::Scene& scene, const scen
                                   .view = p.view->debug},
                          .scene = p.scene_bytes,
                          .variants = variants_of(options, p.gathered),
-                         .goals = goals_of(options, *p.view),
+                         .goals = goals_of(options, *p.view, p.gathered),
                          .device = &info});
   require_ranges(p.graph, info);
   return p;
@@ -309,6 +320,8 @@ FrameHistory history_of(const Result& r, const Options& drawn) {
   FrameHistory next = {.extent = r.size};
   const auto luma = r.downloads.find(kLuma);
   if (usable(drawn.history, r.size).exposure > 0 && luma != r.downloads.end()) next.luma = luma->second;
+  if (const auto rects = r.downloads.find(kParticleRects); rects != r.downloads.end())
+    next.particle_rects = rects->second;
   if (r.downloads.contains(kExposure)) next.exposure = values_of<ExposureRecord>(r, kExposure).at(0).exposure;
   for (const auto& [name, to] :
        {std::pair(kShadowStill, &next.shadow_still), std::pair(kShadowDepth, &next.shadow_depth)})

@@ -208,6 +208,13 @@ Scene small() {
   set_motion(s, "spiral", {.turn_rad = 1, .period_s = 6});
   for (const Decal& d : s.decals)
     if (d.receiver != kNone) s.instances[d.receiver].motion = {.turn_rad = 0.3, .period_s = 3};
+  add_particles(s, {.position = {-1.4, 0.5, 0.5}, .count = 24, .radius = 0.25f, .opacity = 0.3f});
+  add_particles(s, {.kind = EmitterKind::dust,
+                    .position = {0, 2, 0},
+                    .half_extents = {2.5, 1.2, 3},
+                    .count = 24,
+                    .radius = 0.03f,
+                    .opacity = 0.5f});
   s.cameras = {look_at({0.6, 2.1, 7.2}, {0, 1.5, -2}, 0.785398)};
   s.cameras[0].name = "hall";
   return s;

@@ -99,6 +99,7 @@ Scene default_scene() {
   builtin::add_furniture(s, palette);
   builtin::add_default_lights(s);
   builtin::add_default_decals(s);
+  builtin::add_default_particles(s);
   s.cameras = {look_at({0.5, 1.9, 27}, {-0.1, 2.3, 0}, 0.872665)};
   s.cameras[0].name = "nave";
   return s;

@@ -1,4 +1,4 @@
-// Inside of the built-in scene `default`: textures, then materials, then the hall, its lights and decals.
+// Inside of the built-in scene `default`: textures, then materials, then the hall, its lights, decals and particles.
 #pragma once
 #include <array>
 #include <vector>
@@ -38,5 +38,6 @@ void add_building(Scene&, const Palette&);   // floors, walls, vault, columns
 void add_furniture(Scene&, const Palette&);  // banners, fences, obelisks, growths, plants
 void add_default_lights(Scene&);             // 300
 void add_default_decals(Scene&);             // 1000, a fifth of them on what stands in the hall
+void add_default_particles(Scene&);          // 2000
 
 }  // namespace assay::scene::builtin

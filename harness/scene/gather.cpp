@@ -136,6 +136,7 @@ Gathered gather(const Scene& scene, const Camera& camera, Extent extent, const S
   if (shadows) append_shadows(scene, camera, extent, *shadows, merger);
   append_materials(scene, to);
   append_decals(scene, camera, rows, to);
+  append_particles(scene, camera, rows, to);
   to.rays = view_rays(camera, extent);
 
   to.counts.vertices = static_cast<uint32_t>(to.positions.size());

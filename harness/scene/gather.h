@@ -43,6 +43,8 @@ void append_lights(const Scene&, const Camera&, const ClipRows&, Gathered&);
 void append_decals(const Scene&, const Camera&, const ClipRows&, Gathered&);
 // Views of the lights gathered that cast shadows, the casters of the tiles that are to be drawn, and their meshes.
 void append_shadows(const Scene&, const Camera&, Extent, const ShadowRequest&, Merger&);
+// Records of all particles, and the order of those that are seen.
+void append_particles(const Scene&, const Camera&, const ClipRows&, Gathered&);
 // Where a decal may be found, relative to the camera, world axes: its box and what shaders' positions may be off.
 ClusterItem reach_of(const DecalRecord&, const ReceiverRecord*);
 // What a position rebuilt from a depth, and how an item lies to it, may be off by in floats, of the lengths involved:

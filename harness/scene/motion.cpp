@@ -41,6 +41,12 @@ void move_to_frame(uint32_t frame, const Scene& from, Scene& to) {
       moved.direction = glm::vec3(glm::rotate(glm::dmat4(1), rest.motion.turn_rad * s, glm::dvec3(0, 1, 0)) *
                                   glm::dvec4(rest.direction, 0));
   }
+  for (size_t i = 0; i < from.particles.size(); ++i) {
+    const Particle& rest = from.particles[i];
+    if (!(rest.life_s > 0)) continue;
+    to.particles[i].age_s = std::fmod(rest.age_s + frame * kFrame_s, rest.life_s);
+    to.particles[i].centre = rest.centre + rest.velocity * (to.particles[i].age_s - rest.age_s);
+  }
 }
 
 Camera camera_in_frame(const Camera& from, uint32_t frame) {

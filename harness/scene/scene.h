@@ -109,6 +109,21 @@ struct Particle {
   float radius = 0.1f;       // metres
   glm::vec3 albedo = {1, 1, 1};
   float opacity = 0.5f, softness = 0.2f, quality = 1;  // as in formats/particle.h
+  // It begins `age_s` before, grows from half its radius to one and a half while it fades in and out, and after
+  // `life_s` begins again. 0: it stays as it is.
+  double age_s = 0, life_s = 0;
+};
+// Particles out of one place: smoke rises from it and spreads; dust drifts about within a box.
+enum class EmitterKind { smoke, dust };
+struct Emitter {
+  EmitterKind kind = EmitterKind::smoke;
+  glm::dvec3 position = {};
+  glm::dvec3 half_extents = {0.1, 0, 0.1};  // metres, of where particles begin
+  uint32_t count = 50;
+  float radius = 0.2f, opacity = 0.15f;
+  glm::vec3 colour = {0.7f, 0.7f, 0.7f};
+  float height = 2;  // that smoke rises, metres
+  uint32_t seed = 0;
 };
 struct Camera {  // looks along -z of its own axes, x right, y up
   std::string name;
@@ -131,6 +146,10 @@ struct Scene {
   std::vector<std::string> notes;  // what the file holds and was left out, a line each
 };
 
+// What makes the emitter none; empty if it is sound.
+std::string fault_of(const Emitter&);
+void add_particles(Scene&, const Emitter&);
+
 // What makes the decal no decal of the scene; empty if it is sound.
 std::string fault_of(const Decal&, const Scene&);
 
@@ -141,7 +160,7 @@ void append_sidecar(const std::filesystem::path&, Scene&);
 Scene load_gltf(const std::filesystem::path&);
 Scene bare();  // one triangle, one material
 // A hall for the lit frame: large floors, carved columns with triangles of a pixel, foliage cards, 60 materials in the
-// 8 shader classes, 300 lights, 1000 decals. Its view shows each class on 2 % of its pixels at least.
+// 8 shader classes, 300 lights, 1000 decals, 2000 particles. Its view shows each class on 2 % of its pixels at least.
 Scene default_scene();
 Scene small();  // CI: floor, columns, masked foliage cards, instances, a mirrored instance, a spot and a point light,
                 // decals

@@ -1,4 +1,4 @@
-// Lights and decals that a scene's file lacks, from a small JSON beside it:
+// Lights, decals and particles that a scene's file lacks, from a small JSON beside it:
 //
 //   {"about": "where they are from", "lights": [
 //     {"kind": "spot", "position": [0, 3, 0], "direction": [0, -1, 0], "colour": [1, 0.8, 0.6], "intensity": 40,
@@ -9,13 +9,19 @@
 //      "colour_image": "poster.png", "normal_image": "folds.png", "roughness_image": "gloss.png", "weights": [1, 1,
 //      0.5], "fade_distance": 20, "normal_mode": "reoriented"},
 //     {"position": [0, 0, 0], "outward": [0, 1, 0], "half_extents": [1, 1, 0.1], "colour": [0.1, 0.05, 0],
-//      "coverage": 0.5, "roughness": 0.2, "weights": [1, 0, 1], "receiver": 3}]}
+//      "coverage": 0.5, "roughness": 0.2, "weights": [1, 0, 1], "receiver": 3}],
+//    "particles": [
+//     {"kind": "smoke", "position": [0, 1, 0], "count": 80, "radius": 0.2, "height": 2.5, "opacity": 0.15,
+//      "colour": [0.6, 0.6, 0.6], "half_extents": [0.1, 0, 0.1]},
+//     {"kind": "dust", "position": [0, 2, 0], "half_extents": [3, 2, 3], "count": 300, "radius": 0.02}]}
 //
 // World coordinates; candela, or lux of a directional one; colours linear; angles from the axis, also as inner_rad and
 // outer_rad. What is absent is as in KHR_lights_punctual: white, intensity 1, no limit of range, 0 and 45 degrees, no
 // shadows. A member that the kind does not have is an error, so that a slip of the pen is not silence. Of decals
 // position, outward and half_extents must be there; pictures are PNG files beside this one; the rest is as in scene.h.
-// With a receiver, an instance by its number, the box is in its space.
+// With a receiver, an instance by its number, the box is in its space. Of particles kind and position must be there;
+// smoke begins within half_extents of its position and rises by its height, dust drifts about in there; the rest is as
+// in scene.h (Emitter).
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
@@ -179,6 +185,32 @@ Decal decal_of(const Json& json, const std::string& place, Pictures& picture) {
   return d;
 }
 
+Emitter emitter_of(const Json& json, const std::string& place, uint32_t seed) {
+  if (!json.is_object()) refuse(place, "is not an object");
+  if (!json.contains("kind")) refuse(place, "kind is missing");
+  const bool smoke = json["kind"] == "smoke";
+  if (!smoke && json["kind"] != "dust")
+    refuse(place + ".kind", fmt::format("{} is not smoke or dust", json["kind"].dump()));
+  if (smoke)
+    require_members(json, place,
+                    {"kind", "position", "half_extents", "count", "radius", "opacity", "colour", "height"});
+  else
+    require_members(json, place, {"kind", "position", "half_extents", "count", "radius", "opacity", "colour"});
+  Emitter e = {.kind = smoke ? EmitterKind::smoke : EmitterKind::dust, .position = required(json, place, "position")};
+  e.half_extents = triple(json, place, "half_extents").value_or(e.half_extents);
+  if (json.contains("count")) {
+    if (!json["count"].is_number_unsigned()) refuse(place + ".count", "is no whole number");
+    e.count = static_cast<uint32_t>(std::min<uint64_t>(json["count"].get<uint64_t>(), kNone));
+  }
+  e.radius = static_cast<float>(number(json, place, "radius").value_or(e.radius));
+  e.opacity = static_cast<float>(number(json, place, "opacity").value_or(e.opacity));
+  e.height = static_cast<float>(number(json, place, "height").value_or(e.height));
+  e.colour = glm::vec3(triple(json, place, "colour").value_or(glm::dvec3(e.colour)));
+  e.seed = seed;
+  if (const std::string fault = fault_of(e); !fault.empty()) refuse(place, fault);
+  return e;
+}
+
 const Json& array_of(const Json& doc, const char* name) {
   static const Json none = Json::array();
   if (!doc.contains(name)) return none;
@@ -191,15 +223,21 @@ const Json& array_of(const Json& doc, const char* name) {
 void append_sidecar(const std::filesystem::path& file, Scene& scene) {
   naming(file, [&] {
     const Json doc = parse_json(read_file(file));
-    require_members(doc, "document", {"about", "lights", "decals"});
-    if (!doc.contains("lights") && !doc.contains("decals")) refuse("document", "has neither lights nor decals");
-    const Json &lights = array_of(doc, "lights"), &decals = array_of(doc, "decals");
+    require_members(doc, "document", {"about", "lights", "decals", "particles"});
+    if (!doc.contains("lights") && !doc.contains("decals") && !doc.contains("particles"))
+      refuse("document", "has neither lights nor decals nor particles");
+    const Json &lights = array_of(doc, "lights"), &decals = array_of(doc, "decals"),
+               &emitters = array_of(doc, "particles");
     for (size_t i = 0; i < lights.size(); ++i)
       scene.lights.push_back(light_of(lights[i], fmt::format("lights[{}]", i)));
     Pictures picture = {file.parent_path(), scene};
     for (size_t i = 0; i < decals.size(); ++i)
       scene.decals.push_back(decal_of(decals[i], fmt::format("decals[{}]", i), picture));
-    for (const auto& [count, what] : {std::pair(lights.size(), "lights"), std::pair(decals.size(), "decals")})
+    const size_t before = scene.particles.size();
+    for (size_t i = 0; i < emitters.size(); ++i)
+      add_particles(scene, emitter_of(emitters[i], fmt::format("particles[{}]", i), static_cast<uint32_t>(i)));
+    for (const auto& [count, what] : {std::pair(lights.size(), "lights"), std::pair(decals.size(), "decals"),
+                                      std::pair(scene.particles.size() - before, "particles")})
       if (count) scene.notes.push_back(fmt::format("{} {} are from {}", count, what, file.filename().string()));
   });
 }

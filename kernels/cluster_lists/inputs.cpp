@@ -266,7 +266,7 @@ std::vector<Mutant> mutants() {
           {"counted.glsl", 3, "what is dropped is not told", "one_too_many"},
           {"count_team.comp", 4, "the atomic is lost", "words_apart"},
           {"sum.comp", 5, "a block's first cell is left out", "one_block_and_one"},
-          {"scan.glsl", 6, "the barrier between steps dropped", "many_blocks"},
+          {"harness/glsl/scan.glsl", 9821, "the barrier between steps dropped", "many_blocks"},
           {"place.comp", 7, "a block's own entries count as earlier ones", "one_block_and_one"},
           {"place.comp", 8, "offsets inclusive", "one_cell"},
           {"write_thread.comp", 9, "from the highest", "one_cell"},

@@ -9,7 +9,7 @@ layout(local_size_x = THREADS) in;
 READS(0, uint, block_entries);
 UPDATES(3, uvec2, cells);
 #include "kernels/cluster_lists/counted.glsl"
-#include "kernels/cluster_lists/scan.glsl"
+#include "harness/glsl/scan.glsl"
 
 void main() {
   const uint thread = gl_LocalInvocationID.x, cell = gl_GlobalInvocationID.x, block = gl_WorkGroupID.x;

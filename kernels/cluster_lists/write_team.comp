@@ -6,7 +6,7 @@
 #include "kernels/cluster_lists/team.glsl"
 READS(3, uvec2, cells);
 WRITES(4, uint, entries);
-#include "kernels/cluster_lists/scan.glsl"
+#include "harness/glsl/scan.glsl"
 
 shared uint list[kTeams][kMaxClusterEntries];
 

@@ -211,8 +211,7 @@ Case typical(Extent extent) { return typical_with(extent, 3); }
 
 Case in_frame(const FrameInputs& f) {
   Case c = {.name = "frame", .extent = f.extent};
-  const vec3 ambient = vec3(0.03f, 0.035f, 0.04f);
-  c.set_params(LightingParams{f.rays, f.near_plane, ambient, f.extent.width, f.extent.height, f.scene.lights, f.grid,
+  c.set_params(LightingParams{f.rays, f.near_plane, f.ambient, f.extent.width, f.extent.height, f.scene.lights, f.grid,
                               list_capacity(f.grid), f.frame, f.shadows.views, f.shadows.width, f.shadows.height});
   return c;
 }

@@ -66,7 +66,7 @@ Kernel describe() {
       .default_variant = "two_level",
       .params = layout_of<ResolveParams>(),
       .ports = {reads_image("radiance", Format::rgba16_float,
-                            {"vrcs_deblock.deblocked_radiance", "vrcs_deblock.radiance_in_place",
+                            {"particles.radiance", "vrcs_deblock.deblocked_radiance", "vrcs_deblock.radiance_in_place",
                              "deferred_lighting.radiance"}),
                 thresholds, first_codes, partials, small, writes<ExposureRecord>("exposure", fixed(1)),
                 writes<uint>("image", pixels)},

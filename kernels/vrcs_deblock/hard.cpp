@@ -375,7 +375,7 @@ std::vector<Mutant> mutants() {
           {"duplicates.glsl", 9, "the barrier after the marks dropped", "rate_1x2"},
           {"deblock.glsl", 10, "NaN spreads", "nan_neighbours"},
           {"deblock.glsl", 11, "one diagonal of two", "all_2x2_even"},
-          {"luma.glsl", 12, "luma's red and blue swapped", "channels_apart"},
+          {"harness/glsl/luma.glsl", 9731, "luma's red and blue swapped", "channels_apart"},
           {"deblock.glsl", 13, "the copy's luma", "rate_1x2"},
           {"guarded.comp", 14, "surfaces are not asked for", "same_depth"},
           {"guarded.comp", 15, "the farther neighbour is close", "fold"},

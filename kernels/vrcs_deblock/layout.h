@@ -2,6 +2,7 @@
 #ifndef VRCS_DEBLOCK_LAYOUT_H
 #define VRCS_DEBLOCK_LAYOUT_H
 #include "harness/formats/exposure.h"
+#include "harness/formats/luma.h"
 #include "harness/formats/pixel_commands.h"
 #include "harness/formats/visibility.h"
 #include "harness/formats/vrcs.h"
@@ -17,14 +18,6 @@ struct DeblockParams {
 // Depths are close whose bits are so many floats apart at most: a 16th of the power of two below them, 3 to 6 % of the
 // distance.
 SHARED_CONST uint kCloseDepths = 0x80000u;
-
-// A table of the displayed code of every half, in rows of so many.
-SHARED_CONST uint kHalfCodesSide = 256u;
-
-// Luma of displayed codes: the weights of Rec. 709 in 2^16ths, which add up to 2^16.
-SHARED_CONST uint kLumaRed = 13933u;
-SHARED_CONST uint kLumaGreen = 46871u;
-SHARED_CONST uint kLumaBlue = 4732u;
 
 #ifdef __cplusplus
 SHARED_LAYOUT(DeblockParams, width, height, frame);

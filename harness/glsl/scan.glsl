@@ -1,4 +1,4 @@
-// Sums over `SCANNED` neighbouring threads of a group of `THREADS`, a power of two each.
+// Sums over `SCANNED` neighbouring threads of a group of `THREADS`, a power of two each, which the includer defines.
 shared uint sums[2][THREADS];
 
 // Of the thread's own and those before it; `total` of all of them. Begins and ends apart from other uses of `sums`.
@@ -11,7 +11,7 @@ uint sum_through(uint own, out uint total) {
     const uint lower = member >= reach ? sums[from][thread - reach] : 0u;
     sums[1u - from][thread] = sums[from][thread] + lower;
     from = 1u - from;
-#ifndef MUTANT_6  // the barrier dropped: a step reads what the one before has yet to write
+#ifndef MUTANT_9821  // the barrier dropped: a step reads what the one before has yet to write
     barrier();
 #endif
   }
