@@ -146,6 +146,10 @@ std::vector<HardCase> tile_cases() {
          for (uint32_t i = 0; i < 2; ++i) b.add(flat({{-3, -2, 0.5}, {5, 37, 0.25}, {40, 3, 0.125}}), {}, {{i, kFlat}});
          return b.finish();
        }},
+      {"few_move", "typical in the next frame: in an eighth of the tiles something moved, and no light did",
+       [] {
+         return few_move({1024, 1024});
+       }},
       {"large_atlas", "4096 x 4096",
        [] {
          return typical({4096, 4096});

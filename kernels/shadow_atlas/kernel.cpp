@@ -65,8 +65,15 @@ Draw drawn(const char* port, std::vector<DrawCall> calls) {
           .calls = std::move(calls)};
 }
 
-// Each vertex, index and record once, each texel of `images` images read and written.
-Cost cost(const Case& c, uint64_t images) {
+uint64_t texels(const Case& c, const char* list) {
+  uint64_t sum = 0;
+  for (const ShadowTile& t : c.input<ShadowTile>(list))
+    if (is_tile(t, shadows_of(c))) sum += uint64_t{t.side} * t.side;
+  return sum;
+}
+
+// Each vertex, index and record once, and of what is drawn to so many texels read and written.
+Cost cost(const Case& c, uint64_t drawn_texels) {
   const auto [scene, shadows] = c.params<ShadowAtlasParams>();
   uint64_t cut = 0;  // what only masked draws read
   if (shadows.draw_first[kShadowStillMasked] < shadows.draw_first[kShadowMoving] ||
@@ -80,8 +87,8 @@ Cost cost(const Case& c, uint64_t images) {
   for (const DrawCommand& d : c.input<DrawCommand>("draws")) vertices += uint64_t{d.index_count} * d.instance_count;
   return {.bytes_read = uint64_t{scene.indices} * 4 + uint64_t{scene.vertices} * sizeof(vec3) +
                         shadows.casters * sizeof(ShadowCaster) + draws(c) * sizeof(DrawCommand) +
-                        tiles * sizeof(ShadowTile) + cut + images * pixels(c) * sizeof(float),
-          .bytes_written = images * pixels(c) * sizeof(float),
+                        tiles * sizeof(ShadowTile) + cut + drawn_texels * sizeof(float),
+          .bytes_written = drawn_texels * sizeof(float),
           .operations = vertices * 28};
 }
 
@@ -121,13 +128,14 @@ Kernel describe() {
                                drawn("depth", all_casters())},
                     .needs = {Feature::clip_distance},
                     .bounds = std::vector{redrawn},
-                    .cost = [](const Case& c) { return cost(c, 1); },
+                    .cost =
+                        [](const Case& c) { return cost(c, std::max(texels(c, "still_tiles"), texels(c, "tiles"))); },
                     .note = "all of a tile is drawn anew"}},
       .oracle = shadows,
       .inputs = inputs(),
       .bounds = {between({"still"}, kDepths), between({"depth"}, kDepths)},
       .mutants = mutants(),
-      .cost = [](const Case& c) { return cost(c, 2); },
+      .cost = [](const Case& c) { return cost(c, texels(c, "still_tiles") + texels(c, "tiles")); },
       .typical = typical,
       .extents = {{1024, 1024}, {4096, 4096}},
       .frame = frame,

@@ -1,4 +1,4 @@
-// An atlas of 64 spots' tiles, all drawn anew: the same room from as many places.
+// An atlas of 64 spots' tiles, the same room from as many places.
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -38,20 +38,23 @@ glm::dmat4 at(double x, double y, double z, double size) {
   return glm::scale(glm::translate(glm::dmat4(1), glm::dvec3(x, y, z)), glm::dvec3(size));
 }
 
-}  // namespace
-
-Case typical(Extent e) {
+// All drawn anew, or of every n-th what moves.
+Case room(Extent e, uint32_t moved_every) {
   Builder b(e.width, e.height);
   Pcg32 rng(11);
   const uint32_t side = std::min(e.width, e.height) / kTilesAside;
   std::vector<glm::dmat4> views;  // from the room's coordinates to a light's
   for (uint32_t i = 0; i < kTilesAside * kTilesAside; ++i) {
-    b.add_both({i % kTilesAside * side, i / kTilesAside * side, side});
+    if (moved_every != 0 && i % moved_every != 0) continue;
+    const ShadowTile tile = {i % kTilesAside * side, i / kTilesAside * side, side};
+    if (moved_every == 0) b.add_still_tile(tile);
+    b.add_tile(tile);
     const glm::dvec3 eye(rng.range(-8, 8), rng.range(3, 5), rng.range(-8, 8));
     views.push_back(glm::lookAt(eye, glm::dvec3(rng.range(-4, 4), 0, rng.range(-4, 4)), glm::dvec3(0, 0, 1)));
   }
   const LightView light = {.half_width = 0.8};
   const auto add = [&](const Mesh& mesh, const Look& look, const std::vector<glm::dmat4>& places) {
+    if (moved_every != 0 && !look.moving) return;
     for (const glm::dmat4& place : places) {
       std::vector<Placed> placed;
       for (uint32_t i = 0; i < views.size(); ++i) placed.push_back({i, light, views[i] * place});
@@ -72,9 +75,17 @@ Case typical(Extent e) {
         return dx * dx * 2 + dy * dy < 0.8 ? 255 : 0;
       }));
   add(cards(40, rng), masked_look(1, 0.5f, texture_name(leaf, 0)), {at(2, 1, 3, 1), at(-5, 1, -2, 1)});
-  Case c = b.finish();
+  return b.finish();
+}
+
+}  // namespace
+
+Case typical(Extent e) {
+  Case c = room(e, 0);
   c.name = "typical";
   return c;
 }
+
+Case few_move(Extent e) { return room(e, 8); }
 
 }  // namespace assay::shadow_atlas
