@@ -228,9 +228,17 @@ std::vector<HardCase> draw_cases() {
        [] {
          return in_middle([](Builder& b) {
            const LightView near = {.first = 0.015625};
-           b.add(triangle(vec3(-3e5f, -1.7f, 2e5f), vec3(5e5f, -1.3f, 3e5f), vec3(1e3f, -1.1f, -7e5f)), {},
-                 {{0, near}});
-           b.add(triangle(vec3(-3e7f, 1.7f, 2e6f), vec3(-1, 1.3f, -3), vec3(1e3f, 3e6f, -7e5f)), {}, {{0, near}});
+           const auto add = [&](const vec3& p, const vec3& q, const vec3& r) {
+             b.add(triangle(p, q, r), {}, {{0, near}});
+           };
+           add(vec3(-3e5f, -1.7f, 2e5f), vec3(5e5f, -1.3f, 3e5f), vec3(1e3f, -1.1f, -7e5f));
+           add(vec3(-3e7f, 1.7f, 2e6f), vec3(-1, 1.3f, -3), vec3(1e3f, 3e6f, -7e5f));
+           for (int i = 1; i < 8; ++i) {  // floors that pass the light by less than its near distance
+             const auto n = static_cast<float>(i);
+             add(vec3(-3.1e5f * n, -0.0015f * n, 2e5f), vec3(5.3e5f, -0.0013f * n, 3e5f * n),
+                 vec3(1e3f, -0.001f, -7e5f));
+             add(vec3(0.0013f * n, -3.1e5f * n, 2e5f), vec3(0.0011f * n, 5.3e5f, 3e5f * n), vec3(0.001f, 1e3f, -7e5f));
+           }
          });
        }},
       {"degenerate", "corners in a line, and in a point",
@@ -279,6 +287,7 @@ std::vector<Mutant> mutants() {
       {"caster.glsl", 9, "depths of 0.9999", "edges_on_centres"},
       {"caster.glsl", 10, "cut at the tile's middle", "covers_everything"},
       {"caster_masked.glsl", 11, "u and v swapped", "masked_stripes"},
+      {"bounds.glsl", 13, "what rounding left beside the tile stays", "far_coordinates"},
       {"copy.frag", 12, "still depths are not copied", "moving_over_still"},
       {"cut.glsl", 9501, "alpha at most the cutoff is cut", "cutoff_equal"},
       {"cut.glsl", 9502, "nothing is cut", "masked_all_cut"},

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double u = kUnitRoundoff;
 constexpr uint64_t kSampledAbove = 1u << 18;  // texels
+constexpr double kWide = 0x1p-6;  // depths known no better are given as two, so that they count as undecided
 constexpr uint8_t kInStill = 1, kInTiles = 2;
 
 struct Scene {
@@ -211,9 +212,17 @@ void append(Expected& e, uint64_t texel, const Depths& depths) {
     const auto* p = reinterpret_cast<const std::byte*>(&f);
     to.insert(to.end(), p, p + sizeof f);
   };
+  const auto alternative = [&](double low, double high) {
+    put(e.low, float_at_most(low));
+    put(e.high, float_at_least(high));
+  };
   for (const Interval& d : depths) {
-    put(e.low, float_at_most(d.low));
-    put(e.high, float_at_least(d.high));
+    if (!(d.high - d.low > kWide)) {
+      alternative(d.low, d.high);
+      continue;
+    }
+    alternative(d.low, d.low + kWide);
+    alternative(d.low + kWide, d.high);
   }
   e.first.push_back(static_cast<uint32_t>(e.low.size() / sizeof(float)));
   e.judged.push_back(texel);
