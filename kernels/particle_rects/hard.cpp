@@ -96,6 +96,13 @@ std::vector<HardCase> sizes() {
            }
          return case_of(of_1000({256, {64, 64, 128}}), all);
        }},
+      {"behind_the_eye",
+       "a thin quad whose centre is a metre behind the eye and whose end is before it: as near as can be",
+       [] {
+         ParticleRecord p = of_side(100);
+         p.centre = vec3(0, 0, 1), p.right = vec3(0.001f, 0, 0), p.up = vec3(0, 0, 1.2f);
+         return case_of(of_1000(kSmall), {p});
+       }},
       {"size_0", "no extent along one axis or both, or parallel axes: no area",
        [] {
          std::vector<ParticleRecord> all(4, of_side(100));
@@ -200,6 +207,12 @@ std::vector<HardCase> frames() {
        [] {
          return case_of(of_1000(kSmall), copies(3, of_side(200)), {kNoRect, word(0, 0, k32), word(32, 0, k32)});
        }},
+      {"kept_before_new", "a block of particles that all keep theirs, and then some that are new",
+       [] {
+         std::vector<uint32_t> previous;
+         for (uint32_t i = 0; i < 256; ++i) previous.push_back(word(i % 64 * 8, 8 + i / 64 * 8, k8));
+         return case_of(of_1000({512, {512, 0, 0}}), copies(270, of_side(20)), previous);
+       }},
       {"claimed_twice", "a rectangle that two or three say was theirs: the lowest has it",
        [] {
          return case_of(of_1000(kSmall), copies(4, of_side(100)),
@@ -238,18 +251,18 @@ std::vector<HardCase> hard_cases() {
 }
 
 std::vector<Mutant> mutants() {
-  return {{"wanted.glsl", 1, "of a quad its centre alone is looked at", "whole_screen"},
+  return {{"wanted.glsl", 1, "of a quad its centre alone is looked at", "across_the_near_plane"},
           {"wanted.glsl", 2, "what lies above the picture is lit", "beside_the_picture"},
           {"wanted.glsl", 3, "at a boundary the smaller", "boundaries"},
           {"wanted.glsl", 4, "opacity 0 is lit", "not_seen"},
-          {"wanted.glsl", 5, "no least distance", "whole_screen"},
-          {"common.glsl", 6, "a rectangle of another size is taken for one of this", "another_size"},
-          {"common.glsl", 7, "slots that begin where none does", "previous_garbage"},
+          {"wanted.glsl", 5, "no least distance", "behind_the_eye"},
+          {"common.glsl", 6, "a rectangle of another size is taken for one of this", "kept_though_later"},
+          {"common.glsl", 7, "slots that begin where none does", "words_between_slots"},
           {"common.glsl", 8, "to the highest of those that had it", "claimed_twice"},
           {"common.glsl", 9, "none is smaller than wanted", "steps_down"},
           {"common.glsl", 10, "who finds no room is dropped", "steps_down"},
           {"common.glsl", 11, "a particle's last block is left out", "particles_1"},
-          {"count.glsl", 12, "who keeps his own counts as one that wants another", "kept"},
+          {"count.glsl", 12, "who keeps his own counts as one that wants another", "kept_before_new"},
           {"list.glsl", 13, "free slots from the second place on", "particles_1"},
           {"place.glsl", 14, "the smaller rectangles are all given anew", "kept"},
           {"single_group.comp", 15, "every run begins at the first rank", "particles_255"},
