@@ -89,6 +89,27 @@ std::optional<dvec3> point_on(const ShadowView& v, double x, double y, const Cas
   return p;
 }
 
+void Atlas::add_light(const ShadowTile& first, LightRecord& light, const dvec3& seen, Pcg32& rng) {
+  const dvec3 position = dvec3(light.position), direction = dvec3(light.direction);
+  const double reach = glm::length(seen) + 10;
+  light.first_view = static_cast<uint32_t>(views.size());
+  if (light.kind == kLightDirectional)
+    for (uint32_t k = 0; k < 3; ++k)
+      add_cascade({first.x + k * first.side, first.y, first.side}, seen, direction, std::exp2(k), 40, reach);
+  else if (light.kind == kLightPoint)
+    add_cube(first, position, 0.05, reach);
+  else
+    add_spot(first, position, direction, rng.range(0.5, 1.3), 0.05, reach);
+  light.views = static_cast<uint32_t>(views.size()) - light.first_view;
+  const dvec3 from = light.kind == kLightDirectional ? seen - 5.0 * direction : position;
+  for (uint32_t k = 0; k < 3; ++k) {
+    const dvec3 centre = from + rng.range(0.2, 0.95) * (seen - from);
+    const dvec3 normal = {rng.range(-1, 1), rng.range(-1, 1), rng.range(-1, 1)};
+    for (uint32_t view = 0; view < light.views; ++view)
+      draw(light.first_view + view, {centre, normal, rng.range(0.05, 0.5) * glm::length(seen - from)});
+  }
+}
+
 void Atlas::draw(uint32_t view, const Caster& c) {
   const ShadowView& v = views[view];
   for (uint32_t j = 0; j < v.tile.side; ++j)

@@ -28,6 +28,8 @@ struct Atlas {
   // A box about a centre, so many metres to each side and along the light; depth 1 at its near end.
   uint32_t add_cascade(const ShadowTile&, const glm::dvec3& centre, const glm::dvec3& direction, double half_width,
                        double half_depth, double reach);
+  // Views of a light, in a row of tiles from `first` on, and three discs between it and a point that it may light.
+  void add_light(const ShadowTile& first, LightRecord&, const glm::dvec3& seen, Pcg32&);
   // Draws it into a view's tile, over what is farther from the light.
   void draw(uint32_t view, const Caster&);
   void fill(const ShadowTile&, float depth);

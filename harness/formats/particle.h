@@ -33,6 +33,18 @@ struct ParticleAtlas {
   uint rows[kRectSizes];  // texels that the regions are high: of 8x8, 16x16, 32x32; multiples of their rectangles' side
 };
 
+// What is to be lit, 8x8 texels a word: a particle, and which block of its rectangle, row by row.
+SHARED_CONST uint kMostParticles = 131072u;
+SHARED_CONST uint kLightBlockBits = 4u;    // the block's; the particle's are above
+SHARED_CONST uint kLightGroupBlocks = 4u;  // blocks that a group lights, a thread a texel
+
+struct ParticleRectCounts {
+  uint blocks;   // to be lit
+  uint lit;      // particles that have a rectangle
+  uint smaller;  // of those, whose is smaller than wanted
+  uint dropped;  // that want one and have none
+};
+
 // How the radiance is stored (variants of particle_light_atlas).
 SHARED_CONST uint kLightR11G11B10 = 0u;
 SHARED_CONST uint kLightRgb9e5 = 1u;
@@ -46,6 +58,7 @@ struct ParticleCounts {
 #ifdef __cplusplus
 SHARED_LAYOUT(ParticleRecord, centre, opacity, right, softness, up, quality, albedo);
 SHARED_LAYOUT(ParticleAtlas, side, rows);
+SHARED_LAYOUT(ParticleRectCounts, blocks, lit, smaller, dropped);
 SHARED_LAYOUT(ParticleCounts, particles, drawn);
 #endif
 SHARED_END

@@ -137,10 +137,11 @@ void require_ranges(const Graph& g, const device::Info& info) {
 std::map<std::string, std::string> variants_of(const Options& options, const scene::Gathered& gathered) {
   std::map<std::string, std::string> variants = options.variants;
   const bool by_all = gathered.lights.empty() || options.clusters == "none";
-  std::string lighting = by_all ? "plain" : "clustered";
-  if (varies(options)) lighting += "_tile_list";
-  if (gathered.shadow_counts.views > 0) lighting += "_shadowed";
-  variants.try_emplace("deferred_lighting", lighting);
+  const std::string shadowed = gathered.shadow_counts.views > 0 ? "_shadowed" : "";
+  variants.try_emplace("deferred_lighting",
+                       (by_all ? "plain" : "clustered") + std::string(varies(options) ? "_tile_list" : "") + shadowed);
+  if (in_registry("particle_light_atlas.direction"))
+    variants.try_emplace("particle_light_atlas", (by_all ? "all_lights" : "r11g11b10f") + shadowed);
   if (options.clusters == "none")
     variants.try_emplace("decal_atlas_sampling", "bitfield");
   else if (varies(options))

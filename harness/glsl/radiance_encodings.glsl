@@ -24,13 +24,25 @@ vec3 between_0_and(vec3 largest, vec3 v) {
 
 // Red lowest: 5 bits of exponent over 6, 6 and 5 of mantissa, no sign.
 uint encode_r11g11b10(vec3 radiance) {
+#ifdef MUTANT_9816  // blue held at what red holds: rounds to infinity
+  const vec3 c = between_0_and(kLargestR11G11B10.rrr, radiance);
+#else
   const vec3 c = between_0_and(kLargestR11G11B10, radiance);
+#endif
+#ifdef MUTANT_9813  // blue as fine as the others
+  return small_float(c.r, 6u) | small_float(c.g, 6u) << 11u | small_float(c.b, 6u) << 22u;
+#else
   return small_float(c.r, 6u) | small_float(c.g, 6u) << 11u | small_float(c.b, 5u) << 22u;
+#endif
 }
 // Red, green, blue, and an alpha of 1.
 uvec2 encode_rgba16(vec3 radiance) {
   const vec3 c = between_0_and(kLargestRgba16, radiance);
+#ifdef MUTANT_9814  // an alpha of 0
+  return uvec2(binary16(c.r) | binary16(c.g) << 16u, binary16(c.b));
+#else
   return uvec2(binary16(c.r) | binary16(c.g) << 16u, binary16(c.b) | 0x3c000000u);
+#endif
 }
 
 // Exact. Codes of infinities and NaN are read as the numbers that would follow.
@@ -41,7 +53,11 @@ float decode_small_float(uint code, uint kept) {
 #else
   const uint lead = exponent == 0u ? 0u : 1u << kept;
 #endif
+#ifdef MUTANT_9815  // steps below 2^-14 become finer still
+  return float(lead + mantissa) * uintBitsToFloat((exponent + 112u - kept) << 23u);
+#else
   return float(lead + mantissa) * uintBitsToFloat((max(exponent, 1u) + 112u - kept) << 23u);
+#endif
 }
 vec3 decode_r11g11b10(uint code) {
   return vec3(decode_small_float(code, 6u), decode_small_float(code >> 11u, 6u), decode_small_float(code >> 22u, 5u));

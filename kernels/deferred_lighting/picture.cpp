@@ -242,25 +242,6 @@ void set_primaries(Case& c, const Picture& p) {
   vrcs::set_screen_list(c, coordinates.tiles, rng);
 }
 
-LightRecord directional(const dvec3& direction, const vec3& colour) {
-  return {vec3(0), 0, colour, kLightDirectional, vec3(glm::normalize(direction)), 0, 1};
-}
-LightRecord point(const dvec3& position, double range, const vec3& colour) {
-  return {vec3(position), static_cast<float>(range), colour, kLightPoint, vec3(0, -1, 0), 0, 1};
-}
-LightRecord spot(const dvec3& position, const dvec3& direction, double range, double inner_rad, double outer_rad,
-                 const vec3& colour) {
-  // 0 at the outer angle and 1 at the inner one, as KHR_lights_punctual scales it.
-  const double scale = 1 / std::max(0.001, std::cos(inner_rad) - std::cos(outer_rad));
-  return {vec3(position),
-          static_cast<float>(range),
-          colour,
-          kLightSpot,
-          vec3(glm::normalize(direction)),
-          static_cast<float>(scale),
-          static_cast<float>(-std::cos(outer_rad) * scale)};
-}
-
 void add_hall_shadows(Picture& p) {
   constexpr uint32_t kSide = 128;
   constexpr double kReach = 20;
@@ -284,48 +265,16 @@ void add_shadows(Picture& p, Pcg32& rng) {
   constexpr uint32_t kLights = 8, kSide = 32;
   p.atlas = shadowing::Atlas({kLights * kSide, kLights * kSide});
   for (uint32_t i = 0; i < std::min<size_t>(p.lights.size(), kLights); ++i) {
-    LightRecord& light = p.lights[i];
     const uint32_t x = rng.below(p.extent.width), y = rng.below(p.extent.height);
     const dvec3 seen = has_surface(p.depth[p.at(x, y)]) ? p.position(x, y) : p.ray(x, y) * 3.0;
-    const dvec3 position = dvec3(light.position), direction = dvec3(light.direction);
-    const double reach = glm::length(seen) + 10;
-    const ShadowTile tile = {0, i * kSide, kSide};
-    light.first_view = static_cast<uint32_t>(p.atlas.views.size());
-    if (light.kind == kLightDirectional)
-      for (uint32_t k = 0; k < 3; ++k)
-        p.atlas.add_cascade({k * kSide, tile.y, kSide}, seen, direction, std::exp2(k), 40, reach);
-    else if (light.kind == kLightPoint)
-      p.atlas.add_cube(tile, position, 0.05, reach);
-    else
-      p.atlas.add_spot(tile, position, direction, rng.range(0.5, 1.3), 0.05, reach);
-    light.views = static_cast<uint32_t>(p.atlas.views.size()) - light.first_view;
-    const dvec3 from = light.kind == kLightDirectional ? seen - 5.0 * direction : position;
-    for (uint32_t k = 0; k < 3; ++k) {
-      const dvec3 centre = from + rng.range(0.2, 0.95) * (seen - from);
-      const dvec3 normal = {rng.range(-1, 1), rng.range(-1, 1), rng.range(-1, 1)};
-      for (uint32_t view = 0; view < light.views; ++view)
-        p.atlas.draw(light.first_view + view, {centre, normal, rng.range(0.05, 0.5) * glm::length(seen - from)});
-    }
+    p.atlas.add_light({0, i * kSide, kSide}, p.lights[i], seen, rng);
   }
 }
 
 void add_lights(Picture& p, Pcg32& rng, uint32_t count, double reach) {
-  const auto around = [&rng](double r) { return dvec3(rng.range(-r, r), rng.range(-r, r), rng.range(-r, r)); };
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t x = rng.below(p.extent.width), y = rng.below(p.extent.height);
-    const dvec3 target = p.depth[p.at(x, y)] > 0 ? p.position(x, y) : p.ray(x, y) * 3.0;
-    const dvec3 position = target * rng.range(0.7, 1) + around(0.5 * reach);
-    const double power = std::exp2(rng.range(-2, 4)) * reach * reach;
-    const vec3 colour = vec3(power * rng.range(0.3, 1), power * rng.range(0.3, 1), power * rng.range(0.3, 1));
-    const uint32_t kind = rng.below(10);
-    if (kind == 0)
-      p.lights.push_back(directional(around(1) + dvec3(0, 0, -1), colour * static_cast<float>(0.1 / (reach * reach))));
-    else if (kind < 6)
-      p.lights.push_back(point(position, rng.below(4) ? reach * rng.range(0.3, 3) : 0, colour));
-    else
-      p.lights.push_back(spot(position, target - position + around(0.2 * reach),
-                              rng.below(4) ? reach * rng.range(0.5, 3) : 0, rng.range(0.05, 0.5), rng.range(0.5, 1.3),
-                              colour));
+    p.lights.push_back(random_light(rng, p.depth[p.at(x, y)] > 0 ? p.position(x, y) : p.ray(x, y) * 3.0, reach));
   }
 }
 

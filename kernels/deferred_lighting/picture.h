@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 
+#include "harness/light_records.h"
 #include "harness/shadow_maps.h"
 #include "kernels/deferred_lighting/layout.h"
 
@@ -55,11 +56,6 @@ inline uint16_t metal_code(uint32_t metallic, uint32_t occlusion) {
   return static_cast<uint16_t>(metallic | occlusion << 8);
 }
 
-LightRecord directional(const glm::dvec3& direction, const vec3& colour);
-LightRecord point(const glm::dvec3& position, double range, const vec3& colour);
-// Inner and outer half angles of the cone.
-LightRecord spot(const glm::dvec3& position, const glm::dvec3& direction, double range, double inner_rad,
-                 double outer_rad, const vec3& colour);
 // Views of its lights, a row of tiles each, up to eight of them; what casts is random and lies between.
 void add_shadows(Picture&, Pcg32&);
 // Of the hall, in which its first three lights are a sun, a point and a spot; its balls cast.

@@ -1,0 +1,4 @@
+#version 460
+#include "kernels/particle_rects/list.glsl"
+
+void main() { list(2u); }

@@ -1,0 +1,4 @@
+#version 460
+#include "kernels/particle_rects/place.glsl"
+
+void main() { place_all(1u); }
