@@ -6,6 +6,7 @@
 #include <glm/matrix.hpp>
 
 #include "harness/half.h"
+#include "harness/radiance_oracle.h"
 
 namespace assay::particles {
 
@@ -88,32 +89,7 @@ uint32_t rect(uint32_t side, uint32_t column, uint32_t row) {
   return column * side / 8 | (row * side / 8) << kRectYShift | size << kRectSizeShift;
 }
 
-namespace {
-
-uint32_t small_float(double v, int kept) {
-  const double least = std::ldexp(1.0, -14 - kept), most = std::ldexp(2 - std::ldexp(1.0, -kept), 15);
-  if (!(v > 0)) return 0;
-  const double held = std::min(v, most);
-  const double step = held < 0x1p-14 ? least : std::ldexp(1.0, std::ilogb(held) - kept);
-  const double rounded = std::min(std::nearbyint(held / step) * step, most);
-  if (rounded < 0x1p-14) return static_cast<uint32_t>(std::lround(rounded / least));
-  const int exponent = std::ilogb(rounded);
-  return static_cast<uint32_t>((exponent + 15) << kept) +
-         static_cast<uint32_t>(std::lround((std::ldexp(rounded, -exponent) - 1) * std::ldexp(1.0, kept)));
-}
-
-}  // namespace
-
-uint32_t encoded(const dvec3& v, uint32_t encoding) {
-  if (encoding != kLightRgb9e5) return small_float(v.x, 6) | small_float(v.y, 6) << 11 | small_float(v.z, 5) << 22;
-  const dvec3 held = glm::clamp(v, dvec3(0), dvec3(65408));
-  const double most = std::max({held.x, held.y, held.z, 1e-30});
-  int exponent = std::max(std::ilogb(most), -16) - 8;  // of a step
-  if (std::nearbyint(std::ldexp(most, -exponent)) > 511) ++exponent;
-  uint32_t word = static_cast<uint32_t>(exponent + 24) << 27;
-  for (int i = 0; i < 3; ++i) word |= static_cast<uint32_t>(std::nearbyint(std::ldexp(held[i], -exponent))) << (9 * i);
-  return word;
-}
+uint32_t encoded(const dvec3& colour, uint32_t encoding) { return radiance::encoded(colour, encoding).x; }
 
 void add_plume(Air& a, Pcg32& rng, uint32_t count, double nearest_m, double farthest_m, double radius_m) {
   std::vector<double> depths;

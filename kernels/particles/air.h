@@ -34,7 +34,7 @@ void set_clip_rows(ParticlesParams&, Extent);
 ParticleRecord facing(const glm::dvec3& centre, double radius);
 // A word of formats/particle.h: which square of so many texels (8, 16, 32), counted in those.
 uint32_t rect(uint32_t side, uint32_t column, uint32_t row);
-// Nearest in each channel; of RGB9E5 by its largest channel.
+// A word of radiance.
 uint32_t encoded(const glm::dvec3&, uint32_t encoding);
 
 // A plume's particles, farthest first, over all of the view, each with a rectangle.

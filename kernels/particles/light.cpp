@@ -4,19 +4,13 @@
 #include <cmath>
 
 #include "harness/lighting_oracle.h"
+#include "harness/radiance_oracle.h"
 
 namespace assay::particles {
 
 using glm::dvec3;
 
 namespace {
-
-// A float of no sign: mantissa over 5 bits of exponent, the largest exponent read as any other.
-double small_float(uint32_t bits, int kept) {
-  const int exponent = static_cast<int>(bits >> kept);
-  const double mantissa = bits & ((1u << kept) - 1), one = 1 << kept;
-  return exponent == 0 ? std::ldexp(mantissa / one, -14) : std::ldexp(1 + mantissa / one, exponent - 15);
-}
 
 struct Rect {
   int64_t x = 0, y = 0, side = 0;
@@ -31,7 +25,7 @@ Rect rect_of(const Atlas& atlas, uint32_t word) {
 
 dvec3 texel(const Atlas& atlas, const Rect& r, int64_t x, int64_t y) {
   const int64_t column = r.x + std::clamp<int64_t>(x, 0, r.side - 1), row = r.y + std::clamp<int64_t>(y, 0, r.side - 1);
-  return decoded(atlas.words[static_cast<size_t>(row * atlas.side + column)], atlas.encoding);
+  return radiance::decoded({atlas.words[static_cast<size_t>(row * atlas.side + column)], 0}, atlas.encoding);
 }
 
 // Weights of the texels from one before the place to two after it, of its fraction f between two.
@@ -97,12 +91,6 @@ Interval in_texels(const Rect& r, Interval at) {
 }
 
 }  // namespace
-
-dvec3 decoded(uint32_t word, uint32_t encoding) {
-  if (encoding == kLightRgb9e5)
-    return dvec3(word % 512, word / 512 % 512, (word >> 18) % 512) * std::ldexp(1.0, static_cast<int>(word >> 27) - 24);
-  return {small_float(word % 2048, 6), small_float((word >> 11) % 2048, 6), small_float(word >> 22, 5)};
-}
 
 std::optional<Colour> from_atlas(const Atlas& atlas, uint32_t word, Filter filter, const Place& place) {
   const Rect r = rect_of(atlas, word);

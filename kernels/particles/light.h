@@ -11,7 +11,6 @@ struct Atlas {
   std::span<const uint32_t> words;
   uint32_t side = 0, encoding = 0;
 };
-glm::dvec3 decoded(uint32_t word, uint32_t encoding);
 // None of a rectangle that is none or reaches out of the atlas.
 std::optional<Colour> from_atlas(const Atlas&, uint32_t rect, Filter, const Place&);
 
