@@ -33,4 +33,12 @@ std::vector<uint64_t> judged_pixels(const Case& c, uint64_t sampled_above, Judge
   return judged;
 }
 
+JudgedMap judged_map(std::vector<uint64_t> list, Extent e) {
+  JudgedMap judged{.list = std::move(list)};
+  if (judged.list.empty()) return judged;
+  judged.position.assign(pixel_count(e), kNotJudged);
+  for (size_t i = 0; i < judged.list.size(); ++i) judged.position[judged.list[i]] = static_cast<uint32_t>(i);
+  return judged;
+}
+
 }  // namespace assay

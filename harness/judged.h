@@ -11,6 +11,14 @@ enum class JudgedBorders { tiles, last };
 // case says so (nightly).
 std::vector<uint64_t> judged_pixels(const Case&, uint64_t sampled_above, JudgedBorders = JudgedBorders::tiles);
 
+// A list of judged pixels and where in it each of the picture's is.
+constexpr uint32_t kNotJudged = 0xffffffffu;
+struct JudgedMap {
+  std::vector<uint64_t> list = {};      // ascending; empty: all
+  std::vector<uint32_t> position = {};  // of a pixel in the list, kNotJudged elsewhere; empty where all are judged
+};
+JudgedMap judged_map(std::vector<uint64_t> list, Extent);
+
 // Each of them, or all where there are none.
 template <class F>
 void for_each_judged(const Case& c, const std::vector<uint64_t>& judged, F f) {

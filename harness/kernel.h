@@ -137,6 +137,13 @@ inline Port reads_image(std::string name, Format f, std::vector<std::string> pro
 inline Port writes_image(std::string name, Format f) {
   return {.name = std::move(name), .use = Use::writes, .kind = PortKind::image, .format = f};
 }
+inline Port updates_image(std::string name, Format f, std::vector<std::string> producers = {}) {
+  return {.name = std::move(name),
+          .use = Use::updates,
+          .kind = PortKind::image,
+          .format = f,
+          .producers = std::move(producers)};
+}
 inline Port reads_textures(std::string name, uint64_t slots, std::vector<std::string> producers = {}) {
   return {.name = std::move(name),
           .use = Use::reads,
@@ -264,6 +271,7 @@ enum class Feature {
   subgroup_shuffle,
   subgroup_clustered,
   primitive_id,
+  clip_distance,
   draw_indirect_count,
   int64,
   image_int64_atomics,

@@ -38,6 +38,8 @@ const char* name_of(Feature f) {
       return "subgroup_clustered";
     case Feature::primitive_id:
       return "primitive_id";
+    case Feature::clip_distance:
+      return "clip_distance";
     case Feature::draw_indirect_count:
       return "draw_indirect_count";
     case Feature::int64:

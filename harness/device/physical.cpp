@@ -73,6 +73,7 @@ void set_features(Info& info, const FeatureChain& f, VkSubgroupFeatureFlags subg
   set(Feature::subgroup_shuffle, subgroup & VK_SUBGROUP_FEATURE_SHUFFLE_BIT);
   set(Feature::subgroup_clustered, subgroup & VK_SUBGROUP_FEATURE_CLUSTERED_BIT);
   set(Feature::primitive_id, f.core.features.geometryShader);  // gl_PrimitiveID in a fragment shader asks for Geometry
+  set(Feature::clip_distance, f.core.features.shaderClipDistance);
   set(Feature::draw_indirect_count, f.v12.drawIndirectCount);
   set(Feature::texture_compression_bc, f.core.features.textureCompressionBC);
   set(Feature::int64, f.core.features.shaderInt64);

@@ -1,7 +1,7 @@
 #version 460
 #include "harness/glsl/ports.glsl"
 #include "kernels/visibility/layout.h"
-#include "kernels/visibility/cut.glsl"
+#include "harness/glsl/cut.glsl"
 #include "kernels/visibility/fat.glsl"
 
 layout(location = 0) flat in uint word;

@@ -7,6 +7,8 @@
 
 namespace assay::visibility {
 
+using namespace raster;
+
 namespace {
 
 constexpr double u = kUnitRoundoff;

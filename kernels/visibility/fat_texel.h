@@ -1,6 +1,7 @@
 // What the fat variant's second 64 bits may hold.
 #pragma once
-#include "kernels/visibility/alpha.h"
+#include "harness/raster/alpha.h"
+#include "kernels/visibility/layout.h"
 
 namespace assay::visibility {
 
@@ -15,7 +16,7 @@ Bytes unpack_fat(std::span<const std::byte> texels);
 
 // One more alternative: the texel of a pixel that nothing covers, or that of a triangle at pixel x, y.
 void append_cleared(Expected&);
-void append_fat(Expected&, const Shape&, const std::array<VertexAttributes, 3>&, const SurfaceRecord&, uint32_t x,
-                uint32_t y);
+void append_fat(Expected&, const raster::Shape&, const std::array<VertexAttributes, 3>&, const SurfaceRecord&,
+                uint32_t x, uint32_t y);
 
 }  // namespace assay::visibility

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "harness/raster/smaller.h"
+
 namespace assay::visibility {
 
 namespace {
@@ -216,36 +218,9 @@ Case random_case(Random& r) {
   return scene.finish();
 }
 
-// Halves of the commands, halves of each command's triangles, halves of its instances, half the target.
+// Halves of what is drawn, half the target.
 std::vector<Case> smaller(const Case& c) {
-  std::vector<Case> out;
-  const auto draws = c.input<DrawCommand>("draws");
-  const auto with = [&](auto change) {
-    std::vector<DrawCommand> changed(draws.begin(), draws.end());
-    for (size_t i = 0; i < changed.size(); ++i) change(changed[i], i);
-    Case s = c;
-    s.set_input("draws", changed);
-    out.push_back(std::move(s));
-  };
-  const size_t half = (draws.size() + 1) / 2;
-  if (draws.size() > 1) {
-    with([=](DrawCommand& d, size_t i) {
-      if (i >= half) d.index_count = 0;
-    });
-    with([=](DrawCommand& d, size_t i) {
-      if (i < half) d.index_count = 0;
-    });
-    for (size_t k = 0; k < std::min<size_t>(draws.size(), 8); ++k)
-      with([=](DrawCommand& d, size_t i) {
-        if (i == k) d.index_count = 0;
-      });
-  }
-  with([](DrawCommand& d, size_t) { d.index_count = d.index_count / 6 * 3; });
-  with([](DrawCommand& d, size_t) {
-    const uint32_t skipped = d.index_count / 6 * 3;
-    d.first_index += skipped, d.index_count -= skipped;
-  });
-  with([](DrawCommand& d, size_t) { d.instance_count = (d.instance_count + 1) / 2; });
+  std::vector<Case> out = raster::smaller_draws(c);
   for (const Extent e :
        {Extent{(c.extent.width + 1) / 2, c.extent.height}, Extent{c.extent.width, (c.extent.height + 1) / 2}}) {
     Case s = c;

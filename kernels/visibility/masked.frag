@@ -1,7 +1,7 @@
 #version 460
 #include "harness/glsl/ports.glsl"
 #include "kernels/visibility/layout.h"
-#include "kernels/visibility/cut.glsl"
+#include "harness/glsl/cut.glsl"
 
 layout(location = 0) flat in uint word;
 layout(location = 1) flat in uint material;

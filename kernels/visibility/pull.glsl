@@ -1,12 +1,10 @@
-// What the vertex shaders share: which vertex of which surface, and where it is. Indices past the end read the last
-// record, so that a broken index buffer draws a wrong triangle but reads nothing that is not the scene's.
+// What the vertex shaders share: which vertex of which surface, and where it is.
 #ifndef VISIBILITY_PULL
 #define VISIBILITY_PULL
+#include "harness/glsl/clip.glsl"
 READS(0, vec3, positions);
 READS(1, SurfaceRecord, surfaces);
 PARAMS(VisibilityParams);
-
-uint clamped(uint i, uint count) { return min(i, max(count, 1u) - 1u); }
 
 uint vertex_index() { return clamped(uint(gl_VertexIndex), params.scene.vertices); }
 
@@ -17,13 +15,6 @@ uint surface_index() {
 #else
   return clamped(uint(gl_InstanceIndex), params.scene.surfaces);
 #endif
-}
-
-// One of the clip rows. `precise` forbids the compiler to fuse or reorder, so that every vertex shader of every variant puts
-// a vertex in the same place; `invariant gl_Position` promises no more, and Mesa 22.3 warns of its decoration.
-float along(vec4 row, vec3 p) {
-  precise float sum = row.x * p.x + row.y * p.y + row.z * p.z + row.w;
-  return sum;
 }
 
 // Clip z is the near distance for every vertex: depth is near / w, reversed, and the far plane is at infinity.

@@ -1,8 +1,8 @@
-#include "kernels/visibility/winners.h"
+#include "harness/raster/winners.h"
 
 #include <algorithm>
 
-namespace assay::visibility {
+namespace assay::raster {
 
 void Winners::add(uint64_t pixel, Candidate c) {
   if (c.high < front_[pixel]) return;
@@ -56,4 +56,4 @@ const std::vector<Outcome>& Winners::outcomes(uint64_t pixel) {
   return outcomes_;
 }
 
-}  // namespace assay::visibility
+}  // namespace assay::raster

@@ -1,45 +1,58 @@
-#include "kernels/visibility/coverage.h"
+#include "harness/raster/coverage.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
-namespace assay::visibility {
+namespace assay::raster {
 
 namespace {
 
 constexpr double u = kUnitRoundoff;
 constexpr double kGuard = 32768;  // pixels; no guard band of a device reaches further
 
+// Where a vertex of the visible polygon is, and the triangle's edge that leaves it: its two vertices; from == to on a
+// cut.
+struct PolygonVertex {
+  ClipVertex at;
+  std::pair<uint32_t, uint32_t> edge;
+  bool on_near = false;
+};
 struct Polygon {
-  std::array<Corner, 4> corners = {};
-  // The triangle's edge from a corner to the next: its two vertices; from == to on the near cut.
-  std::array<std::pair<uint32_t, uint32_t>, 4> edges = {};
-  std::array<bool, 4> on_near = {};
+  std::array<PolygonVertex, 5> vertices = {};
+  std::array<Corner, 5> corners = {};
   uint32_t count = 0;
 };
 
-// The triangle in front of the near plane (Sutherland, Hodgman 1974, one plane).
-Polygon clip_near(const std::array<ClipVertex, 3>& v, const Target& t) {
-  Polygon p;
-  const auto add = [&p](const Corner& c, uint32_t from, uint32_t to, bool on_near) {
-    p.corners[p.count] = c;
-    p.on_near[p.count] = on_near;
-    p.edges[p.count++] = {from, to};
-  };
-  for (uint32_t i = 0; i < 3; ++i) {
-    const uint32_t j = (i + 1) % 3;
-    const bool inside = v[i].w >= t.near_plane, next_inside = v[j].w >= t.near_plane;
-    if (inside) add(corner_of(v[i], t), i, j, false);
-    if (inside && !next_inside) add(near_corner(v[i], v[j], t), i, i, true);
-    if (!inside && next_inside) add(near_corner(v[j], v[i], t), i, j, true);
+double before_near(const ClipVertex& v) { return v.w - v.z; }
+double before_far(const ClipVertex& v) { return v.z; }
+
+// Sutherland, Hodgman 1974, one plane.
+Polygon clip(const Polygon& p, double (*distance)(const ClipVertex&), bool near) {
+  Polygon out;
+  for (uint32_t i = 0; i < p.count; ++i) {
+    const PolygonVertex &a = p.vertices[i], &b = p.vertices[(i + 1) % p.count];
+    const double da = distance(a.at), db = distance(b.at);
+    if (da >= 0) out.vertices[out.count++] = a;
+    if (da >= 0 && db < 0) out.vertices[out.count++] = {cut_vertex(a.at, da, b.at, db), {0, 0}, near};
+    if (da < 0 && db >= 0) out.vertices[out.count++] = {cut_vertex(b.at, db, a.at, da), a.edge, near};
   }
+  return out;
+}
+
+// The triangle between the near and the far plane.
+Polygon clip_depth(const std::array<ClipVertex, 3>& v, const Target& t) {
+  Polygon p;
+  for (uint32_t i = 0; i < 3; ++i) p.vertices[p.count++] = {v[i], {i, (i + 1) % 3}};
+  p = clip(clip(p, before_near, true), before_far, false);
+  for (uint32_t i = 0; i < p.count; ++i) p.corners[i] = corner_of(p.vertices[i].at, t);
   return p;
 }
 
-bool inside_viewport(const Corner& c, const Target& t) {
-  return c.snapped_x - c.snap_x >= 0 && c.snapped_y - c.snap_y >= 0 && c.snapped_x + c.snap_x <= t.width &&
-         c.snapped_y + c.snap_y <= t.height;
+bool inside_target(const Corner& c, const Target& t) {
+  return c.snapped_x - c.snap_x >= t.left && c.snapped_y - c.snap_y >= t.top && c.snapped_x + c.snap_x <= t.right &&
+         c.snapped_y + c.snap_y <= t.bottom;
 }
 
 // The part of a-b inside a box, as fractions; empty where first > last.
@@ -63,10 +76,6 @@ Span span_in(const Corner& a, const Corner& b, double x_low, double y_low, doubl
   return s;
 }
 
-struct Point {
-  double x, y;
-};
-
 // The polygon inside a box, for its size alone.
 std::vector<Point> clip_box(std::vector<Point> p, double x_low, double y_low, double x_high, double y_high) {
   const auto clip = [&p](auto distance) {
@@ -86,27 +95,53 @@ std::vector<Point> clip_box(std::vector<Point> p, double x_low, double y_low, do
   return p;
 }
 
-// Adds what a plane through this polygon's corners may be off, in units of u: README, "Interpolation".
-void widen_rounding(Shape& s, const std::vector<Point>& p) {
-  if (p.size() < 3) return;
-  double x_low = p[0].x, x_high = p[0].x, y_low = p[0].y, y_high = p[0].y, area2 = 0;
+// What a plane through this polygon's corners may be off: README, "Interpolation".
+struct Fullness {
+  Rounding rounding;
+  double height;  // over the longest side
+  bool known;
+};
+Fullness fullness_of(std::span<const Point> p) {
+  double x_low = p[0].x, x_high = p[0].x, y_low = p[0].y, y_high = p[0].y, area2 = 0, longest = 0;
   for (size_t i = 0; i < p.size(); ++i) {
     const Point &a = p[i], &b = p[(i + 1) % p.size()];
     x_low = std::min(x_low, a.x), x_high = std::max(x_high, a.x);
     y_low = std::min(y_low, a.y), y_high = std::max(y_high, a.y);
     area2 += (a.x - p[0].x) * (b.y - p[0].y) - (a.y - p[0].y) * (b.x - p[0].x);
+    longest = std::max(longest, std::hypot(b.x - a.x, b.y - a.y));
   }
   const double width = x_high - x_low, height = y_high - y_low, fullness = width * height / (0.5 * std::fabs(area2));
-  s.rounding.x = std::max(s.rounding.x, 12 * fullness * width + 4 * std::max(std::fabs(x_low), std::fabs(x_high)));
-  s.rounding.y = std::max(s.rounding.y, 12 * fullness * height + 4 * std::max(std::fabs(y_low), std::fabs(y_high)));
-  if (!(fullness < 0x1p16)) s.planes_known = false;  // an area that is all cancellation
+  return {{12 * fullness * width + 4 * std::max(std::fabs(x_low), std::fabs(x_high)),
+           12 * fullness * height + 4 * std::max(std::fabs(y_low), std::fabs(y_high))},
+          std::fabs(area2) / longest,
+          fullness < 0x1p16};  // else the area is all cancellation
+}
+
+void widen_rounding(Shape& s, const std::vector<Point>& p) {
+  if (p.size() < 3) return;
+  const Fullness f = fullness_of(p);
+  s.rounding = {std::max(s.rounding.x, f.rounding.x), std::max(s.rounding.y, f.rounding.y)};
+  s.planes_known = s.planes_known && f.known;
+}
+
+// Any fan of a polygon is made of triangles between three of its corners.
+void add_pieces(Shape& s, const std::vector<Point>& p) {
+  const double moved = std::max(s.moved, s.side_moved);
+  for (size_t i = 0; i < p.size(); ++i)
+    for (size_t j = i + 1; j < p.size(); ++j)
+      for (size_t k = j + 1; k < p.size(); ++k) {
+        const std::array<Point, 3> corners = {p[i], p[j], p[k]};
+        const Fullness f = fullness_of(corners);
+        const double height = f.height - 2 * moved;
+        s.pieces.push_back({corners, f.rounding, moved, height, f.known && height > 2 * moved});
+      }
 }
 
 // Twice the area, and a bound of what moved corners do to it.
 struct Area {
   double twice, error;
 };
-Area area_of(const Polygon& p, const std::array<double, 4>& moved) {
+Area area_of(const Polygon& p, const std::array<double, 5>& moved) {
   Area a = {0, 0};
   const Corner& o = p.corners[0];
   for (uint32_t i = 0; i < p.count; ++i) {
@@ -120,23 +155,24 @@ Area area_of(const Polygon& p, const std::array<double, 4>& moved) {
   return a;
 }
 
-// How far the ends of edge i may be from the snapped corners, where the device may cut it at a side of the screen.
+// How far the ends of edge i may be from the snapped corners, where the device may cut it at a side of the target.
 struct Ends {
-  double a = 0, b = 0, relative = 0;
+  double a = 0, b = 0, relative = 0, depth = 0;
 };
 Ends ends_of(const Polygon& p, uint32_t i, const std::array<ClipVertex, 3>& v, const Target& t) {
   const Corner &a = p.corners[i], &b = p.corners[(i + 1) % p.count];
-  Ends e = {std::max(a.snap_x, a.snap_y), std::max(b.snap_x, b.snap_y), 0};
-  if (inside_viewport(a, t) && inside_viewport(b, t)) return e;
-  const Span s = span_in(a, b, 0, 0, t.width, t.height);
-  const auto [from, to] = p.edges[i];
+  Ends e = {std::max(a.snap_x, a.snap_y), std::max(b.snap_x, b.snap_y)};
+  if (inside_target(a, t) && inside_target(b, t)) return e;
+  const Span s = span_in(a, b, t.left, t.top, t.right, t.bottom);
+  const auto [from, to] = p.vertices[i].edge;
   double inverse_w = 0;
   if (s.first <= s.last) {
     const auto at = [&](double f) { return a.inverse_w + f * (b.inverse_w - a.inverse_w); };
     inverse_w = std::max(at(s.first), at(s.last));
   }
   const SideError side = side_error(v[from], v[to], inverse_w, t);
-  return {std::max({e.a, a.moved, side.moved}), std::max({e.b, b.moved, side.moved}), side.relative};
+  // The cut lies on the line between the moved ends, but for its own rounding.
+  return {a.moved + side.moved, b.moved + side.moved, side.relative, side.depth};
 }
 
 void set_planes(Shape& s, const std::array<ClipVertex, 3>& v, const Target& t) {
@@ -158,27 +194,42 @@ void set_planes(Shape& s, const std::array<ClipVertex, 3>& v, const Target& t) {
     w.at_origin /= determinant, w.d_dx /= determinant, w.d_dy /= determinant;
     s.inverse_w.at_origin += w.at_origin, s.inverse_w.d_dx += w.d_dx, s.inverse_w.d_dy += w.d_dy;
   }
+  for (uint32_t k = 0; k < 3; ++k) {
+    s.depth.at_origin += v[k].z * s.weights[k].at_origin;
+    s.depth.d_dx += v[k].z * s.weights[k].d_dx, s.depth.d_dy += v[k].z * s.weights[k].d_dy;
+  }
   // Parallel to the screen: exactly so, since differences of equal numbers are zero in any arithmetic.
-  if (v[0].w == v[1].w && v[1].w == v[2].w) s.inverse_w = {1 / v[0].w, 0, 0};
+  if (v[0].w != v[1].w || v[1].w != v[2].w) return;
+  s.inverse_w = {1 / v[0].w, 0, 0};
+  if (v[0].z == v[1].z && v[1].z == v[2].z) s.depth = {v[0].z / v[0].w, 0, 0};
 }
 
-void set_errors(Shape& s, const Polygon& p, const Target& t, double twice_area) {
+void set_errors(Shape& s, const Polygon& p, const std::array<ClipVertex, 3>& v, const Target& t, double twice_area) {
   std::vector<Point> outline;
   double longest = 0;
   for (uint32_t i = 0; i < p.count; ++i) {
     const Corner &a = p.corners[i], &b = p.corners[(i + 1) % p.count];
     outline.push_back({a.x, a.y});
     longest = std::max(longest, std::hypot(b.x - a.x, b.y - a.y));
-    double& moved = p.on_near[i] ? s.near_moved : s.moved;
+    const bool on_near = p.vertices[i].on_near;
+    double& moved = on_near ? s.near_moved : s.moved;
     moved = std::max(moved, a.moved);
-    s.relative_error = std::max(s.relative_error, a.relative_error);
+    // Of a corner on the near plane, whose depth is 1, both errors count by the pixel's depth.
+    s.relative_error = std::max(s.relative_error, a.relative_error + (on_near ? a.z_error : 0));
+    if (!on_near) s.z_error = std::max(s.z_error, a.z_error);
   }
   s.height = std::fabs(twice_area) / longest - 2 * s.moved;
   if (!(s.height > 2 * s.moved)) s.planes_known = false;
-  s.stretch = stretch_at(s, 0);
+  s.stretch = stretch_at(s, 0, 0, 0);
   s.rounding = {4 * t.width, 4 * t.height};
   widen_rounding(s, clip_box(outline, -kGuard, -kGuard, kGuard, kGuard));
-  widen_rounding(s, clip_box(outline, 0, 0, t.width, t.height));
+  const std::vector<Point> drawn = clip_box(outline, t.left, t.top, t.right, t.bottom);
+  widen_rounding(s, drawn);
+  if (s.whole) return;
+  double inverse_w = 0;
+  for (const Point& d : drawn) inverse_w = std::max(inverse_w, evaluate(s, s.inverse_w, d.x, d.y));
+  s.side_moved = side_moved(v[0], v[1], v[2], inverse_w, t);
+  add_pieces(s, drawn);
 }
 
 void set_bounds(Shape& s, const Polygon& p, const Target& t) {
@@ -188,14 +239,18 @@ void set_bounds(Shape& s, const Polygon& p, const Target& t) {
     x_low = std::min(x_low, c.x - c.moved), x_high = std::max(x_high, c.x + c.moved);
     y_low = std::min(y_low, c.y - c.moved), y_high = std::max(y_high, c.y + c.moved);
   }
-  const auto pixel = [](double v, double size) { return static_cast<uint32_t>(std::clamp(v, 0.0, size)); };
-  s.x_first = pixel(std::ceil(x_low - 0.5), t.width), s.x_end = pixel(std::floor(x_high + 0.5), t.width);
-  s.y_first = pixel(std::ceil(y_low - 0.5), t.height), s.y_end = pixel(std::floor(y_high + 0.5), t.height);
+  const auto pixel = [](double v, double low, double high) { return static_cast<uint32_t>(std::clamp(v, low, high)); };
+  const bool all = s.anywhere;
+  s.x_first = pixel(all ? t.left : std::ceil(x_low - 0.5), t.left, t.right);
+  s.x_end = pixel(all ? t.right : std::floor(x_high + 0.5), t.left, t.right);
+  s.y_first = pixel(all ? t.top : std::ceil(y_low - 0.5), t.top, t.bottom);
+  s.y_end = pixel(all ? t.bottom : std::floor(y_high + 0.5), t.top, t.bottom);
 }
 
 Edge edge_of(const Polygon& p, uint32_t i, const Ends& ends, bool clockwise) {
   const Corner &a = p.corners[i], &b = p.corners[(i + 1) % p.count];
-  Edge e = {a.snapped_x, a.snapped_y, b.snapped_x, b.snapped_y, ends.a, ends.b, p.edges[i].first, p.edges[i].second};
+  const auto [from, to] = p.vertices[i].edge;
+  Edge e = {a.snapped_x, a.snapped_y, b.snapped_x, b.snapped_y, ends.a, ends.b, from, to};
   if (!clockwise) {
     std::swap(e.ax, e.bx), std::swap(e.ay, e.by), std::swap(e.a_moved, e.b_moved);
     std::swap(e.from, e.to);
@@ -210,44 +265,55 @@ Edge edge_of(const Polygon& p, uint32_t i, const Ends& ends, bool clockwise) {
 
 Shape shape_of(const std::array<ClipVertex, 3>& v, Facing facing, const Target& t) {
   Shape s;
-  s.near_plane = t.near_plane;
-  const Polygon p = clip_near(v, t);
+  s.left = t.left, s.top = t.top, s.right = t.right, s.bottom = t.bottom;
+  const Polygon p = clip_depth(v, t);
   if (p.count == 0) return s;
-  double w_error = 0, w_sum = 0;
+  double error = 0, sum = 0, least_w = std::numeric_limits<double>::infinity();
   for (const ClipVertex& c : v) {
-    s.crosses_near |= c.w - c.w_error < t.near_plane;
-    w_error = std::max(w_error, c.w_error);
-    w_sum += std::fabs(c.w);
+    s.crosses_near |= before_near(c) < c.w_error + c.z_error;
+    s.crosses_far |= before_far(c) < c.z_error;
+    error = std::max(error, c.w_error + c.z_error);
+    sum += std::fabs(c.w) + std::fabs(c.z);
   }
-  if (s.crosses_near) s.near_slack = (4 * u * w_sum + 2 * w_error) / t.near_plane;
+  for (uint32_t i = 0; i < p.count; ++i) {
+    least_w = std::min(least_w, p.vertices[i].at.w);
+    s.anywhere |= !(p.vertices[i].at.w > 0);
+  }
+  if (s.crosses_near || s.crosses_far) s.cut_slack = (4 * u * sum + 2 * error) / least_w;
   set_bounds(s, p, t);
   if (s.x_first >= s.x_end || s.y_first >= s.y_end) return s;
+  if (s.anywhere) {
+    s.planes_known = false;
+    s.edges.emplace_back();
+    return s;
+  }
 
-  std::array<Ends, 4> ends = {};
-  std::array<double, 4> moved = {};
+  std::array<Ends, 5> ends = {};
+  std::array<double, 5> moved = {};
   for (uint32_t i = 0; i < p.count; ++i) {
     ends[i] = ends_of(p, i, v, t);
     moved[i] = std::max(moved[i], ends[i].a);
     moved[(i + 1) % p.count] = std::max(moved[(i + 1) % p.count], ends[i].b);
     s.relative_error = std::max(s.relative_error, ends[i].relative);
+    s.z_error = std::max(s.z_error, ends[i].depth);
   }
   const Area area = area_of(p, moved);
   const double doubt = area.error + 0x1p-48 * std::fabs(area.twice);
   if (area.error == 0 && area.twice == 0) return s;
   s.certain = std::fabs(area.twice) > doubt;
+  s.whole = !s.crosses_near && !s.crosses_far;
+  for (uint32_t i = 0; i < p.count; ++i) s.whole = s.whole && inside_target(p.corners[i], t);
   set_planes(s, v, t);
-  set_errors(s, p, t, area.twice);
+  set_errors(s, p, v, t, area.twice);
+  const auto is_cut = [&](uint32_t i) { return p.vertices[i].edge.first == p.vertices[i].edge.second; };
   for (const bool clockwise : {true, false}) {
     if (s.certain && (area.twice > 0) != clockwise) continue;
     // Clockwise in framebuffer coordinates is the back of a surface that was not mirrored.
     if (facing == (clockwise ? Facing::cull_back : Facing::cull_front)) continue;
     for (uint32_t i = 0; i < p.count; ++i)
-      if (p.edges[i].first != p.edges[i].second) s.edges.push_back(edge_of(p, i, ends[i], clockwise));
+      if (!is_cut(i)) s.edges.push_back(edge_of(p, i, ends[i], clockwise));
   }
-  s.whole = !s.crosses_near;
-  for (uint32_t i = 0; i < p.count; ++i) s.whole = s.whole && inside_viewport(p.corners[i], t);
-  s.edges_a_side = 0;
-  for (uint32_t i = 0; i < p.count; ++i) s.edges_a_side += p.edges[i].first != p.edges[i].second;
+  for (uint32_t i = 0; i < p.count; ++i) s.edges_a_side += !is_cut(i);
   return s;
 }
 
@@ -267,6 +333,7 @@ Cover side_of(const Edge& e, double x, double y) {
 }  // namespace
 
 Coverage covers(const Shape& s, double x, double y) {
+  if (s.anywhere) return {Cover::maybe, kNoEdge};
   Coverage best;
   for (uint32_t first = 0; first < s.edges.size(); first += s.edges_a_side) {
     Coverage here = {s.certain ? Cover::in : Cover::maybe, kNoEdge};
@@ -278,54 +345,9 @@ Coverage covers(const Shape& s, double x, double y) {
     }
     if (here.cover > best.cover) best = here;
   }
+  const double inside = std::min({x - s.left, y - s.top, s.right - x, s.bottom - y});
+  if (best.cover == Cover::in && inside < s.side_moved) return {Cover::maybe, kNoEdge};
   return best;
 }
 
-Plane depth_plane(const Shape& s) {
-  return {s.inverse_w.at_origin * s.near_plane, s.inverse_w.d_dx * s.near_plane, s.inverse_w.d_dy * s.near_plane};
-}
-
-double evaluate(const Shape& s, const Plane& p, double x, double y) {
-  return p.at_origin + p.d_dx * (x - s.origin_x) + p.d_dy * (y - s.origin_y);
-}
-
-double stretch_at(const Shape& s, double outside) {
-  // Covered pixels lie within the corners as they were moved for coverage, at most twice that beside those of the
-  // planes: two weights down to -distance / height, and the third makes up for them.
-  return 1 + 4 * (outside + 2 * s.moved) / s.height;
-}
-
-double rounding_of(const Shape& s, const Plane& p, double value) {
-  if (p.d_dx == 0 && p.d_dy == 0) return 0;
-  return u * (s.rounding.x * std::fabs(p.d_dx) + s.rounding.y * std::fabs(p.d_dy) + 4 * std::fabs(value));
-}
-
-double moved_at(const Shape& s, double depth) { return s.moved + std::min(std::fabs(depth), 1.0) * s.near_moved; }
-
-namespace {
-
-double depth_error(const Shape& s, const Plane& p, double depth) {
-  const double slope = std::fabs(p.d_dx) + std::fabs(p.d_dy);
-  return s.stretch * (slope * moved_at(s, depth) + std::fabs(depth) * s.relative_error) + rounding_of(s, p, depth);
-}
-
-}  // namespace
-
-Cover before_near(const Shape& s, double x, double y) {
-  if (!s.crosses_near) return Cover::in;
-  if (!s.planes_known) return Cover::maybe;
-  const Plane p = depth_plane(s);
-  const double depth = evaluate(s, p, x, y);
-  const double error = depth_error(s, p, depth) + s.near_slack;
-  return depth < 1 - error ? Cover::in : depth > 1 + error ? Cover::out : Cover::maybe;
-}
-
-Interval depth_at(const Shape& s, double x, double y) {
-  if (!s.planes_known) return {0, std::numeric_limits<double>::infinity()};
-  const Plane p = depth_plane(s);
-  const double depth = evaluate(s, p, x, y);
-  const double error = depth_error(s, p, depth);
-  return {std::max(depth - error, 0.0), std::max(depth + error, 0.0)};
-}
-
-}  // namespace assay::visibility
+}  // namespace assay::raster

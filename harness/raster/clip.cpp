@@ -1,10 +1,10 @@
-#include "kernels/visibility/clip.h"
+#include "harness/raster/clip.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace assay::visibility {
+namespace assay::raster {
 
 namespace {
 
@@ -87,39 +87,61 @@ Corner corner_at(Coordinate x, Coordinate y, double inverse_w, double relative_e
 
 }  // namespace
 
-ClipVertex transform(const SurfaceRecord& s, const vec3& p) {
-  const Dot x = dot_bound(s.clip_x, p), y = dot_bound(s.clip_y, p), w = dot_bound(s.clip_w, p);
-  const bool finite = std::fabs(x.value) < 0x1p127 && std::fabs(y.value) < 0x1p127 && std::fabs(w.value) < 0x1p127 &&
-                      x.error < 0x1p100 && y.error < 0x1p100 && w.error < 0x1p100;
-  return {x.value, y.value, w.value, x.error, y.error, w.error, finite};
+ClipVertex transform(const Rows& rows, const vec3& p) {
+  const Dot x = dot_bound(rows.x, p), y = dot_bound(rows.y, p), z = dot_bound(rows.z, p), w = dot_bound(rows.w, p);
+  const auto known = [](const Dot& d) { return std::fabs(d.value) < 0x1p127 && d.error < 0x1p100; };
+  return {x.value, y.value, z.value,
+          w.value, x.error, y.error,
+          z.error, w.error, known(x) && known(y) && known(z) && known(w)};
 }
 
 Corner corner_of(const ClipVertex& v, const Target& t) {
   const Coordinate x = to_pixels(v.x, v.x_error, v, 0.5 * t.width), y = to_pixels(v.y, v.y_error, v, 0.5 * t.height);
   const bool exact_w = v.w_error == 0 && is_power_of_two(v.w);
-  const double relative = exact_w ? 0 : v.w_error / std::max(v.w - v.w_error, 0.5 * v.w) + kDivision;
-  return corner_at(x, y, 1 / v.w, relative, t);
+  const double least_w = std::max(v.w - v.w_error, 0.5 * v.w);
+  Corner c = corner_at(x, y, 1 / v.w, exact_w ? 0 : v.w_error / least_w + kDivision, t);
+  c.z_error = v.z_error / least_w;
+  return c;
 }
 
-Corner near_corner(const ClipVertex& inside, const ClipVertex& behind, const Target& t) {
-  const double along = (inside.w - t.near_plane) / (inside.w - behind.w);
-  // The error of `along` slides the corner on its edge, which moves the near cut (coverage.cpp allows for that) and not
-  // the edge; what leaves the edge is the rounding of the interpolation, three operations a coordinate.
+ClipVertex cut_vertex(const ClipVertex& inside, double distance, const ClipVertex& outside, double other) {
+  const double along = distance / (distance - other);
+  // The error of `along` slides the corner on its edge, which moves the cut (coverage.cpp allows for that) and not the
+  // edge; what leaves the edge is the rounding of the interpolation, three operations a coordinate.
   const auto mix = [along](double a, double b) { return a + along * (b - a); };
-  const double x_error = 3 * u * (std::fabs(inside.x) + std::fabs(behind.x)) + std::max(inside.x_error, behind.x_error);
-  const double y_error = 3 * u * (std::fabs(inside.y) + std::fabs(behind.y)) + std::max(inside.y_error, behind.y_error);
-  const double w_error = 3 * u * (std::fabs(inside.w) + std::fabs(behind.w)) + std::max(inside.w_error, behind.w_error);
-  const ClipVertex at = {mix(inside.x, behind.x), mix(inside.y, behind.y), t.near_plane, x_error, y_error, w_error};
-  return corner_of(at, t);
+  const auto error = [](double a, double b, double a_error, double b_error) {
+    return 3 * u * (std::fabs(a) + std::fabs(b)) + std::max(a_error, b_error);
+  };
+  return {mix(inside.x, outside.x),
+          mix(inside.y, outside.y),
+          mix(inside.z, outside.z),
+          mix(inside.w, outside.w),
+          error(inside.x, outside.x, inside.x_error, outside.x_error),
+          error(inside.y, outside.y, inside.y_error, outside.y_error),
+          error(inside.z, outside.z, inside.z_error, outside.z_error),
+          error(inside.w, outside.w, inside.w_error, outside.w_error)};
 }
 
 SideError side_error(const ClipVertex& a, const ClipVertex& b, double inverse_w, const Target& t) {
   const double w_error = 3 * u * (std::fabs(a.w) + std::fabs(b.w)) + std::max(a.w_error, b.w_error);
   const double x_error = 3 * u * (std::fabs(a.x) + std::fabs(b.x)) + std::max(a.x_error, b.x_error);
   const double y_error = 3 * u * (std::fabs(a.y) + std::fabs(b.y)) + std::max(a.y_error, b.y_error);
+  const double z_error = 3 * u * (std::fabs(a.z) + std::fabs(b.z)) + std::max(a.z_error, b.z_error);
   const double x_moved = 0.5 * t.width * (inverse_w * (x_error + w_error) + kDivision + 5 * u);
   const double y_moved = 0.5 * t.height * (inverse_w * (y_error + w_error) + kDivision + 5 * u);
-  return {std::max(x_moved, y_moved) + kSnapSteps / t.grid, inverse_w * w_error + kDivision};
+  return {std::max(x_moved, y_moved) + kSnapSteps / t.grid, inverse_w * w_error + kDivision, inverse_w * z_error};
 }
 
-}  // namespace assay::visibility
+double side_moved(const ClipVertex& a, const ClipVertex& b, const ClipVertex& c, double inverse_w, const Target& t) {
+  // The distances from the side are sums of x or y and w, 2u of them and twice the errors carried; the fraction of the
+  // cut is a quotient of them, 4u; then the interpolation's 3u, once more where the near plane cut before.
+  double sum = 0, error = 0;
+  for (const ClipVertex* v : {&a, &b, &c}) {
+    sum += std::max(std::fabs(v->x), std::fabs(v->y)) + 2 * std::fabs(v->w);
+    error = std::max({error, v->x_error, v->y_error, v->w_error});
+  }
+  return 0.5 * std::max(t.width, t.height) * ((12 * u * sum + 8 * error) * inverse_w + kDivision + 5 * u) +
+         kSnapSteps / t.grid;
+}
+
+}  // namespace assay::raster

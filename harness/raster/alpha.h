@@ -2,9 +2,10 @@
 #pragma once
 #include <span>
 
-#include "kernels/visibility/coverage.h"
+#include "harness/formats/material.h"
+#include "harness/raster/coverage.h"
 
-namespace assay::visibility {
+namespace assay::raster {
 
 // An attribute at a pixel's centre, perspective-correct, and how far a device may be from it. Infinite error: unknown.
 struct Attribute {
@@ -19,5 +20,8 @@ Interval sampled_alpha(const MaterialRecord&, std::span<const Texture>, const At
                        const Attribute& texcoord_v, uint32_t sub_texel_bits);
 // Whether the pixel is kept: `in` if alpha is surely not below the cutoff.
 Cover kept(const MaterialRecord&, Interval sampled);
+// Both, at a pixel's centre.
+Cover kept_at(const Shape&, const std::array<vec2, 3>& uv, const MaterialRecord&, std::span<const Texture>,
+              uint32_t sub_texel_bits, double x, double y);
 
-}  // namespace assay::visibility
+}  // namespace assay::raster

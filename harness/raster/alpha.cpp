@@ -1,9 +1,9 @@
-#include "kernels/visibility/alpha.h"
+#include "harness/raster/alpha.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace assay::visibility {
+namespace assay::raster {
 
 namespace {
 
@@ -79,21 +79,21 @@ Attribute attribute_at(const Shape& s, const std::array<double, 3>& values, doub
   // A corner that is moved carries its value along, so the surface of values tilts by the value's own gradient.
   const double gradient =
       (std::fabs(over_w.d_dx - value * s.inverse_w.d_dx) + std::fabs(over_w.d_dy - value * s.inverse_w.d_dy));
-  const double stretch = stretch_at(s, outside);
+  const double stretch = stretch_at(s, outside, x, y);
   const double rounding =
-      rounding_of(s, over_w, value * inverse_w) + std::fabs(value) * rounding_of(s, s.inverse_w, inverse_w);
+      rounding_of(s, over_w, value * inverse_w, x, y) + std::fabs(value) * rounding_of(s, s.inverse_w, inverse_w, x, y);
   double carried = 0, largest = 0;  // the corners' own 1/w
   for (uint32_t k = 0; k < 3; ++k) {
     carried += std::fabs(evaluate(s, s.weights[k], x, y) / inverse_w * (values[k] - value)) * s.relative_error;
     largest = std::max(largest, std::fabs(values[k]));
   }
-  const double moved = moved_at(s, inverse_w * s.near_plane);
+  const double moved = moved_at(s, evaluate(s, s.depth, x, y));
   const double error =
       (stretch * gradient * moved + rounding) / inverse_w + stretch * carried + 10 * u * stretch * largest;
   // 1/w itself is uncertain; where its own error nears it, nothing is known.
   const double slope = std::fabs(s.inverse_w.d_dx) + std::fabs(s.inverse_w.d_dy);
   const double doubt =
-      (stretch * slope * moved + rounding_of(s, s.inverse_w, inverse_w)) / inverse_w + stretch * s.relative_error;
+      (stretch * slope * moved + rounding_of(s, s.inverse_w, inverse_w, x, y)) / inverse_w + stretch * s.relative_error;
   return doubt < 0.5 ? Attribute{value, error / (1 - doubt)} : Attribute{0, kUnknown};
 }
 
@@ -132,4 +132,11 @@ Cover kept(const MaterialRecord& m, Interval sampled) {
   return Cover::maybe;  // NaN too: GLSL leaves comparisons with it to the device
 }
 
-}  // namespace assay::visibility
+Cover kept_at(const Shape& s, const std::array<vec2, 3>& uv, const MaterialRecord& m, std::span<const Texture> textures,
+              uint32_t sub_texel_bits, double x, double y) {
+  const Attribute texcoord_u = attribute_at(s, {uv[0].x, uv[1].x, uv[2].x}, x, y);
+  const Attribute texcoord_v = attribute_at(s, {uv[0].y, uv[1].y, uv[2].y}, x, y);
+  return kept(m, sampled_alpha(m, textures, texcoord_u, texcoord_v, sub_texel_bits));
+}
+
+}  // namespace assay::raster

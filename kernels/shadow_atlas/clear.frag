@@ -1,0 +1,4 @@
+#version 460
+
+// Nothing but depth is drawn, and that is the quad's.
+void main() {}

@@ -1,0 +1,6 @@
+#version 460
+#include "harness/glsl/ports.glsl"
+#include "kernels/shadow_atlas/layout.h"
+#define TILES tiles
+#define TILE_COUNT params.shadows.tiles
+#include "kernels/shadow_atlas/quad.glsl"

@@ -1,0 +1,6 @@
+#version 460
+#include "harness/glsl/ports.glsl"
+#include "kernels/shadow_atlas/layout.h"
+#define TILES still_tiles
+#define TILE_COUNT params.shadows.still_tiles
+#include "kernels/shadow_atlas/quad.glsl"
