@@ -53,7 +53,8 @@ Lit lit(const scene::Scene& s, const scene::Camera& camera) {
     for (const std::string& port :
          {updated + "base_roughness", updated + "normal", texturing + "metallic_occlusion", texturing + "emissive"})
       goals.push_back(port);
-    return frame::render(*device(), s, camera, {.size = kSize, .goals = goals, .warm_up = false});
+    // Without shadows, which FrameShadows judges.
+    return frame::render(*device(), s, camera, {.size = kSize, .shadows = false, .goals = goals, .warm_up = false});
   };
   Lit f;
   const std::string updated = gather(s, camera, kSize).decals.empty() ? texturing : "decal_atlas_sampling.";

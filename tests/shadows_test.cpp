@@ -34,7 +34,7 @@ std::vector<TileWish> wishes_of(uint64_t seed, uint32_t lights) {
   return wishes;
 }
 
-TEST(ShadowPacking, TilesNeverOverlapAndKeepTheirPlaces) {
+TEST(Shadows, TilesNeverOverlapAndKeepTheirPlaces) {
   for (uint64_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(seed);
     std::vector<TileWish> wishes = wishes_of(seed, 1 + static_cast<uint32_t>(seed) * 2);
@@ -61,7 +61,7 @@ TEST(ShadowPacking, TilesNeverOverlapAndKeepTheirPlaces) {
   }
 }
 
-TEST(ShadowPacking, AFullAtlasStepsDownAndThenDrops) {
+TEST(Shadows, AFullAtlasStepsDownAndThenDrops) {
   std::vector<TileWish> wishes;
   for (uint32_t i = 0; i < 20; ++i) wishes.push_back({i, 1, 256, 100.0 - i});
   const Packing halved = pack_tiles(wishes, {}, 1024);  // 16 of them would fill it
@@ -70,6 +70,9 @@ TEST(ShadowPacking, AFullAtlasStepsDownAndThenDrops) {
   EXPECT_GT(halved.halved, 0u);
   EXPECT_EQ(halved.tiles.at(tile_key(0, 0)).side, 256u);
   EXPECT_LT(halved.tiles.at(tile_key(19, 0)).side, 256u);
+  uint64_t area = 0;
+  for (const auto& [key, t] : halved.tiles) area += uint64_t{t.side} * t.side;
+  EXPECT_GT(area + 3 * kLeastTile * kLeastTile, 1024u * 1024u) << "room is left to double a tile";
   for (uint32_t i = 20; i < 300; ++i) wishes.push_back({i, 1, 256, 100.0 - i});
   const Packing dropped = pack_tiles(wishes, {}, 1024);
   expect_sound(dropped);
@@ -83,7 +86,18 @@ Gathered gathered(const Scene& s, const ShadowCache& before = {}, uint32_t frame
   return gather(s, default_camera(s), {640, 360}, &request);
 }
 
-TEST(ShadowGather, WithoutCastersNothingOfItIsThere) {
+// One that cannot have what it asks for leaves the others theirs.
+TEST(Shadows, AnAtlasThatOneLightWouldFillHasRoomForTheRest) {
+  std::vector<TileWish> wishes = {{0, 4, 512, 1e300}};
+  for (uint32_t i = 1; i < 10; ++i) wishes.push_back({i, 1, 128, 10.0 - i});
+  const Packing p = pack_tiles(wishes, {}, 1024);
+  expect_sound(p);
+  EXPECT_EQ(p.tiles.at(tile_key(0, 0)).side, 256u);
+  for (uint32_t i = 1; i < 10; ++i) EXPECT_EQ(p.tiles.at(tile_key(i, 0)).side, 128u);
+  EXPECT_EQ(p.halved, 1u);
+}
+
+TEST(Shadows, WithoutCastersNothingOfItIsThere) {
   Scene s = small();
   for (Light& l : s.lights) l.casts_shadows = false;
   const Gathered g = gathered(s);
@@ -93,7 +107,7 @@ TEST(ShadowGather, WithoutCastersNothingOfItIsThere) {
   EXPECT_EQ(g.positions.size(), plain.positions.size()) << "no mesh is there for its shadow alone";
 }
 
-TEST(ShadowGather, CastersLieInTheRangesOfTheirTiles) {
+TEST(Shadows, CastersLieInTheRangesOfTheirTiles) {
   const Scene s = default_scene();
   const Gathered g = gathered(s);
   const ShadowCounts n = g.shadow_counts;
@@ -119,7 +133,7 @@ TEST(ShadowGather, CastersLieInTheRangesOfTheirTiles) {
 }
 
 // What the viewer does not see casts shadows all the same.
-TEST(ShadowGather, CastersOutsideTheViewAreThere) {
+TEST(Shadows, CastersOutsideTheViewAreThere) {
   Scene s = small();
   const Gathered before = gathered(s);
   const uint32_t instance = before.surface_instance.at(0);
@@ -129,7 +143,7 @@ TEST(ShadowGather, CastersOutsideTheViewAreThere) {
   EXPECT_GT(away.shadow_casters.size(), away.surfaces.size());
 }
 
-TEST(ShadowGather, AStillSceneDrawsNoTileAgain) {
+TEST(Shadows, AStillSceneDrawsNoTileAgain) {
   for (const Scene& s : {small(), default_scene()}) {
     const Gathered first = gathered(s), second = gathered(s, first.shadow_cache, 1);
     EXPECT_GT(first.shadow_statistics.still_drawn, 0u) << s.name;
@@ -148,7 +162,7 @@ std::set<uint32_t> seeing(const ShadowCache& cache, uint32_t instance) {
   return keys;
 }
 
-TEST(ShadowGather, AThingThatMovesIsDrawnInTheTilesThatSeeIt) {
+TEST(Shadows, AThingThatMovesIsDrawnInTheTilesThatSeeIt) {
   Scene s = default_scene();
   const Gathered first = gathered(s);
   uint32_t instance = 0;
@@ -167,7 +181,34 @@ TEST(ShadowGather, AThingThatMovesIsDrawnInTheTilesThatSeeIt) {
   EXPECT_EQ(places, expected);
 }
 
-TEST(ShadowGather, ALightThatMovesIsDrawnAnewAlone) {
+// Small tiles follow what moves by turns, at most three frames late.
+TEST(Shadows, SmallTilesFollowInTurn) {
+  const Scene s = default_scene();
+  Scene moved = s;
+  ShadowCache sliced;
+  std::vector<ShadowCache> prompt;
+  std::set<std::set<uint32_t>> put_off;
+  for (uint32_t frame = 0; frame < 9; ++frame) {
+    move_to_frame(frame, s, moved);
+    const ShadowRequest request = {.before = sliced, .frame = frame};
+    const Gathered g = gather(moved, default_camera(s), {640, 360}, &request);
+    sliced = g.shadow_cache;
+    prompt.push_back(gathered(moved, prompt.empty() ? ShadowCache{} : prompt.back(), frame).shadow_cache);
+    std::set<uint32_t> late;
+    for (const auto& [key, held] : sliced.tiles) {
+      uint32_t age = 0;
+      while (age < 4 && age <= frame && prompt[frame - age].tiles.at(key).moving != held.moving) ++age;
+      ASSERT_LT(age, std::min(frame + 1, 4u)) << "tile " << key << " in frame " << frame;
+      if (age) late.insert(key);
+      if (held.tile.side > 128) EXPECT_EQ(age, 0u) << "tile " << key << " is large";
+    }
+    EXPECT_EQ(late.size(), g.shadow_statistics.put_off) << frame;
+    if (!late.empty()) put_off.insert(late);
+  }
+  EXPECT_GE(put_off.size(), 4u) << "not always the same";
+}
+
+TEST(Shadows, ALightThatMovesIsDrawnAnewAlone) {
   Scene s = default_scene();
   const Gathered first = gathered(s);
   uint32_t light = 0;

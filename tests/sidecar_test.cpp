@@ -48,8 +48,8 @@ TEST(Sidecar, LightsOfEveryKind) {
     {"kind": "spot", "position": [1, 2, 3], "direction": [0, -2, 0], "colour": [1, 0.5, 0.25], "intensity": 40,
      "range": 8, "inner_deg": 30, "outer_deg": 60},
     {"kind": "spot", "position": [1, 2, 3], "direction": [0, 0, 1], "inner_rad": 0.25, "outer_rad": 0.5},
-    {"kind": "point", "position": [1e6, 2, 0.125]},
-    {"kind": "directional", "direction": [3, 0, -4], "intensity": 2}]})");
+    {"kind": "point", "position": [1e6, 2, 0.125], "shadows": true},
+    {"kind": "directional", "direction": [3, 0, -4], "intensity": 2, "shadows": false}]})");
   ASSERT_EQ(s.lights.size(), 4u);
   EXPECT_EQ(s.lights[0].kind, LightKind::spot);
   EXPECT_EQ(s.lights[0].position, glm::dvec3(1, 2, 3));
@@ -68,6 +68,7 @@ TEST(Sidecar, LightsOfEveryKind) {
   EXPECT_EQ(s.lights[2].range, 0);
   EXPECT_EQ(s.lights[3].kind, LightKind::directional);
   EXPECT_NEAR(length(s.lights[3].direction - glm::vec3(0.6f, 0, -0.8f)), 0, 1e-6);
+  for (size_t i = 0; i < 4; ++i) EXPECT_EQ(s.lights[i].casts_shadows, i == 2);
   ASSERT_EQ(s.notes.size(), 1u);
   EXPECT_NE(s.notes[0].find("4 lights"), std::string::npos);
 }
@@ -123,6 +124,9 @@ TEST(Sidecar, BrokenOnesAreOneLineWithThePlace) {
       {light("{" + spot + R"(, "inner_deg": -1})"), "lights[0]: its cone"},
       {light("{" + spot + R"(, "inner_deg": 1, "inner_rad": 1})"), "inner is given"},
       {light("{" + spot + "}, {" + spot + R"(, "outer_deg": true})"), "lights[1].outer_deg"},
+      {light("{" + spot + R"(, "shadows": 1})"), "lights[0].shadows: is neither true nor false"},
+      {light("{" + spot + R"(, "shadows": "true"})"), "lights[0].shadows"},
+      {light("{" + spot + R"(, "shadows": null})"), "lights[0].shadows"},
       {"{\"about\":" + std::string(100000, '[') + std::string(100000, ']') + "}", "nested"},
   };
   for (const auto& [text, place] : broken) {
@@ -214,6 +218,7 @@ TEST(Sidecar, SponzasLightsHitTheAtrium) {
   if (!fs::exists(fixture)) GTEST_SKIP() << "no " << fixture;
   const Scene alone = scene::load("bare", fixture);
   ASSERT_EQ(alone.lights.size(), 21u);
+  for (const scene::Light& l : alone.lights) EXPECT_TRUE(l.casts_shadows);
   for (size_t i = 1; i < alone.lights.size(); ++i) {
     const scene::Light& l = alone.lights[i];
     EXPECT_EQ(l.kind, LightKind::spot);

@@ -173,10 +173,11 @@ Prepared prepare(const device::Info& info, const scene::Scene& scene, const scen
   Prepared p = {.view = &view_named(options.view)};
   const FrameHistory history = usable(options.history, options.size);
   const scene::ShadowRequest shadows = {
-      .before = history.shadow_depth.empty() ? scene::ShadowCache{} : options.shadow_cache,
+      .before = history.shadow_still.empty() ? scene::ShadowCache{} : options.shadow_cache,
       .frame = options.frame,
       .sliced = options.shadow_slices};
-  p.gathered = scene::gather(scene, camera, options.size, options.shadows && in_registry(kShadowDepth) ? &shadows : nullptr);
+  p.gathered =
+      scene::gather(scene, camera, options.size, options.shadows && in_registry(kShadowDepth) ? &shadows : nullptr);
   append_clusters(camera, options, p.gathered);
   p.scene_bytes = scene_bytes(p.gathered);
   p.graph = build_graph({.kernels = all_kernels(),

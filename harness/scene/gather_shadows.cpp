@@ -23,12 +23,15 @@ struct Thing {
 };
 
 std::vector<Thing> things_of(const Scene& scene) {
+  std::vector<std::vector<Bounds>> boxes(scene.meshes.size());
+  for (size_t m = 0; m < boxes.size(); ++m)
+    for (const Part& part : scene.meshes[m].parts) boxes[m].push_back(bounds_of(scene.meshes[m], part));
   std::vector<Thing> things;
   for (uint32_t i = 0; i < scene.instances.size(); ++i) {
     const Mesh& mesh = scene.meshes[scene.instances[i].mesh];
     for (uint32_t p = 0; p < mesh.parts.size(); ++p) {
       const AlphaMode alpha = scene.materials[mesh.parts[p].material].alpha;
-      const Bounds box = bounds_of(mesh, mesh.parts[p]);
+      const Bounds& box = boxes[scene.instances[i].mesh][p];
       if (alpha == AlphaMode::blended || box.empty()) continue;
       const bool masked = alpha == AlphaMode::masked;
       const uint32_t range = moves(scene.instances[i]) ? masked ? kShadowMovingMasked : kShadowMoving
@@ -54,6 +57,11 @@ bool outside(const LightView& v, const glm::dmat4& to_world, const Bounds& box) 
   }
   return *std::max_element(out, out + 5) > 1e-5 * scale;
 }
+
+// Small tiles are of lights that are small on the screen or far: they follow what moves in every second or fourth
+// frame, each light and face in its turn.
+uint32_t period_of(const ShadowTile& t) { return t.side > 2 * kLeastTile ? 1 : t.side > kLeastTile ? 2 : 4; }
+uint32_t turn_of(TileKey key) { return key / tile_key(1, 0) + key % tile_key(1, 0); }
 
 void append(std::vector<double>& to, const glm::dvec4& v) { to.insert(to.end(), {v.x, v.y, v.z, v.w}); }
 
@@ -87,8 +95,7 @@ struct Gathering {
                       held->second.tile.y == tile.y && held->second.tile.side == tile.side;
     const bool draws_still = !fits || held->second.still != now.still;
     bool composes = draws_still || held->second.moving != now.moving;
-    const uint32_t period = tile.side > 128 ? 1 : tile.side > kLeastTile ? 2 : 4;
-    if (composes && !draws_still && request.sliced && (request.frame + key) % period != 0) {
+    if (composes && !draws_still && request.sliced && (request.frame + turn_of(key)) % period_of(tile) != 0) {
       composes = false;
       now.moving = held->second.moving;
       ++to.shadow_statistics.put_off;
@@ -167,22 +174,23 @@ void note(const Packing& p, Gathered& to) {
 void append_shadows(const Scene& scene, const Camera& camera, Extent extent, const ShadowRequest& request,
                     Merger& merger) {
   Gathered& to = merger.to;
+  if (std::ranges::none_of(to.light_source, [&](uint32_t i) { return i != kNone && scene.lights[i].casts_shadows; }))
+    return;
+  const Bounds bounds = bounds_of(scene);
   std::vector<TileWish> wishes;
   for (const uint32_t light : to.light_source) {
     if (light == kNone) continue;
-    if (auto wish = wish_of(scene, light, camera, extent)) {
+    if (auto wish = wish_of(scene.lights[light], light, camera, extent, bounds)) {
       settle(*wish, request.before);
       wishes.push_back(*wish);
     }
   }
-  if (wishes.empty()) return;
   const Packing packing = pack_tiles(wishes, packing_of(request.before));
   note(packing, to);
   const bool is_kept = packing.width == request.before.width && packing.height == request.before.height;
   to.shadow_cache.width = packing.width, to.shadow_cache.height = packing.height;
 
   Gathering gathering = {scene, request, to, things_of(scene)};
-  const Bounds bounds = bounds_of(scene);
   std::vector<std::vector<LightView>> views;  // outlive the pairs that point at them
   views.reserve(to.lights.size());
   for (size_t i = 0; i < to.lights.size(); ++i) {

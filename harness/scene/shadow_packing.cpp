@@ -12,24 +12,31 @@ uint64_t area_of(const std::vector<TileWish>& wishes) {
   return area;
 }
 
-// Shrinks until the least atlas that could hold them is no larger than `most`. Squares of powers of two, the largest
-// first, fill a power-of-two rectangle without a gap, so area and the largest side decide.
+// Shrinks until the least atlas that could hold them is no larger than `most`, and gives back what room is then left.
+// Squares of powers of two, the largest first, fill a power-of-two rectangle without a gap, so area and the largest
+// side decide. Wishes come the most important first.
 void make_fit(std::vector<TileWish>& wishes, uint32_t most, Packing& p) {
-  std::vector<bool> is_halved(wishes.size());
-  for (TileWish& w : wishes) w.side = std::clamp(w.side, kLeastTile, most);
-  while (area_of(wishes) > uint64_t{most} * most) {
+  const uint64_t room = uint64_t{most} * most;
+  std::vector<uint32_t> asked;
+  for (TileWish& w : wishes) asked.push_back(w.side = std::clamp(w.side, kLeastTile, most));
+  while (area_of(wishes) > room) {
     size_t at = wishes.size();
     while (at > 0 && wishes[at - 1].side == kLeastTile) --at;
-    if (at == 0) {
+    if (at > 0) {
+      wishes[at - 1].side /= 2;
+    } else {
       ++p.dropped;
-      p.halved -= is_halved.back();
       wishes.pop_back();
-      is_halved.pop_back();
-      continue;
     }
-    p.halved += !is_halved[at - 1];
-    is_halved[at - 1] = true;
-    wishes[at - 1].side /= 2;
+  }
+  uint64_t area = area_of(wishes);
+  for (size_t i = 0; i < wishes.size(); ++i) {
+    TileWish& w = wishes[i];
+    for (uint64_t more = 0; w.side < asked[i]; area += more, w.side *= 2) {
+      more = uint64_t{3} * w.views * w.side * w.side;
+      if (area + more > room) break;
+    }
+    p.halved += w.side < asked[i];
   }
 }
 

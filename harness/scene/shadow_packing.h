@@ -33,8 +33,8 @@ struct Packing {
 
 // The smallest atlas that holds the wishes, or the one before where that does. A tile that keeps its side keeps its
 // place in an atlas of that size, unless what is new finds no room beside. Wishes that `most` texels a side cannot hold
-// are halved, the least important light's first (of equal ones the last), and dropped where all are smallest. A
-// function of its arguments, whatever the order of the wishes.
+// are halved, the least important light's first (of equal ones the last), and dropped where all are smallest; what room
+// is left goes back to the most important. A function of its arguments, whatever the order of the wishes.
 Packing pack_tiles(std::vector<TileWish>, const Packing& before, uint32_t most = kMostAtlas);
 
 }  // namespace assay::scene

@@ -52,23 +52,29 @@ Axes axes_of(const glm::dvec3& direction) {
 
 glm::dvec4 row_about(const glm::dvec3& axis, const glm::dvec3& origin) { return {axis, -dot(axis, origin)}; }
 
-// What a position rebuilt from a depth is off by, metres: of its distance from the viewer, and of the light's from what
-// it lights, as rows relative to the viewer are rounded too.
+// What a caster's clip coordinates are off by, metres: four products and sums in floats of what a mesh's positions are
+// away from the world's origin, under 16 u of that in all.
+double caster_error(const Bounds& bounds) {
+  return kPositionSlack / 4 * std::max(length(bounds.lowest), length(bounds.highest));
+}
+// And a position rebuilt from a depth: of its distance from the viewer, and of the light's from what it lights, as rows
+// relative to the viewer are rounded too.
 double position_error(const Light& light, const Camera& camera, double reach) {
   return kPositionSlack * (distance(light.position, camera.eye) + 2 * reach);
 }
 
 LightView perspective(const Light& light, const glm::dvec3& direction, double tangent, const Camera& camera,
-                      double reach) {
+                      const Bounds& bounds, double reach) {
   const double near_plane = std::clamp(reach * 0.005, 0.01, 0.1);
   const Axes a = axes_of(direction);
   // Bias is of w: what is nearer to the light than a twentieth of its reach may have a little less than it needs.
-  return {.x = row_about(a.right / tangent, light.position),
-          .y = row_about(-a.up / tangent, light.position),
-          .z = {0, 0, 0, near_plane},
-          .w = row_about(a.forward, light.position),
-          .farthest = light.range > 0 ? light.range : 1e300,
-          .bias = position_error(light, camera, reach) / (0.05 * reach * std::min(1.0, tangent))};
+  return {
+      .x = row_about(a.right / tangent, light.position),
+      .y = row_about(-a.up / tangent, light.position),
+      .z = {0, 0, 0, near_plane},
+      .w = row_about(a.forward, light.position),
+      .farthest = light.range > 0 ? light.range : 1e300,
+      .bias = (position_error(light, camera, reach) + caster_error(bounds)) / (0.05 * reach * std::min(1.0, tangent))};
 }
 
 // Wider than the picture by what the filter reaches past its rim.
@@ -103,15 +109,15 @@ LightView cascade(const Light& light, const Camera& camera, Extent extent, const
       .z = {-a.forward / depth, highest / depth},
       .w = {0, 0, 0, 1},
       .farthest = 1e300,
-      .bias = kPositionSlack * (to * std::hypot(1, tangent * std::hypot(1, aspect)) + depth) / std::min(half, depth)};
+      .bias = (kPositionSlack * (to * std::hypot(1, tangent * std::hypot(1, aspect)) + depth) + caster_error(bounds)) /
+              std::min(half, depth)};
 }
 
 }  // namespace
 
-std::optional<TileWish> wish_of(const Scene& scene, uint32_t number, const Camera& camera, Extent extent) {
-  const Light& light = scene.lights[number];
+std::optional<TileWish> wish_of(const Light& light, uint32_t number, const Camera& camera, Extent extent,
+                                const Bounds& bounds) {
   if (!light.casts_shadows) return {};
-  const Bounds bounds = bounds_of(scene);
   const double pixels = extent.height / (2 * std::tan(camera.vertical_fov_rad / 2));  // of a metre at one metre
   if (light.kind == LightKind::directional) {
     const uint32_t side = std::clamp(std::bit_ceil(std::max(extent.height, 1u)), 256u, 2 * kMostSide);
@@ -134,14 +140,14 @@ std::vector<LightView> views_of(const Light& light, const Camera& camera, Extent
     case LightKind::spot: {
       const double half = std::min(double{light.outer_rad}, kWidestSpot_rad);
       views.push_back(perspective(light, glm::dvec3(light.direction), widened(std::max(std::tan(half), 1e-3), side),
-                                  camera, reach));
+                                  camera, bounds, reach));
       break;
     }
     case LightKind::point:
       for (uint32_t face = 0; face < kCubeFaces; ++face) {
         glm::dvec3 direction(0);
         direction[face / 2] = face % 2 ? -1 : 1;
-        views.push_back(perspective(light, direction, widened(1, side), camera, reach));
+        views.push_back(perspective(light, direction, widened(1, side), camera, bounds, reach));
       }
       break;
     case LightKind::directional: {

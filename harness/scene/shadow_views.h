@@ -14,9 +14,9 @@ struct LightView {
   double bias = 0;          // ShadowView's
 };
 
-// Nothing of a light that casts none.
-std::optional<TileWish> wish_of(const Scene&, uint32_t light, const Camera&, Extent);
-// As many as the wish has, for tiles of that side. `bounds`: the scene's.
+// Nothing of a light that casts none. `bounds`: the scene's.
+std::optional<TileWish> wish_of(const Light&, uint32_t number, const Camera&, Extent, const Bounds& bounds);
+// As many as the wish has, for tiles of that side.
 std::vector<LightView> views_of(const Light&, const Camera&, Extent, const Bounds& bounds, uint32_t side);
 
 }  // namespace assay::scene
