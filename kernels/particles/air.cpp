@@ -59,6 +59,7 @@ Case to_case(const std::string& name, const Air& a) {
   ParticlesParams params = a.params;
   params.particles = static_cast<uint32_t>(a.particles.size());
   params.drawn = static_cast<uint32_t>(a.order.size());
+  params.atlas_side = a.side;
   params.lights = static_cast<uint32_t>(a.lights.size());
   c.set_params(params);
   std::vector<uint16_t> halves;

@@ -1,7 +1,5 @@
 #include "harness/kernel.h"
 
-#include <cmath>
-
 #include "kernels/particles/inputs.h"
 #include "kernels/particles/layout.h"
 #include "kernels/particles/oracle.h"
@@ -19,7 +17,7 @@ Count counted(uint ParticlesParams::*member) {
 uint64_t vertices(const Case& c) { return uint64_t{c.params<ParticlesParams>().drawn} * kVertices; }
 uint64_t corners(const Case& c) { return uint64_t{c.params<ParticlesParams>().drawn} * kCorners; }
 Extent atlas_extent(const Case& c) {
-  const auto side = static_cast<uint32_t>(std::lround(std::sqrt(c.input<uint32_t>("atlas").size())));
+  const uint32_t side = c.params<ParticlesParams>().atlas_side;
   return {side, side};
 }
 
@@ -65,7 +63,7 @@ Cost cost_of(const Case& c, uint64_t bytes_read, uint64_t bytes_written) {
 }
 Cost cost(const Case& c) {
   const auto p = c.params<ParticlesParams>();
-  return cost_of(c, p.particles * sizeof(uint) + c.input<uint32_t>("atlas").size() * 4, 0);
+  return cost_of(c, p.particles * sizeof(uint) + uint64_t{p.atlas_side} * p.atlas_side * sizeof(uint), 0);
 }
 Cost cost_of_lights(const Case& c) { return cost_of(c, c.params<ParticlesParams>().lights * sizeof(LightRecord), 0); }
 Cost cost_of_corners(const Case& c) {
