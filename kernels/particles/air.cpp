@@ -60,6 +60,7 @@ Case to_case(const std::string& name, const Air& a) {
   params.particles = static_cast<uint32_t>(a.particles.size());
   params.drawn = static_cast<uint32_t>(a.order.size());
   params.lights = static_cast<uint32_t>(a.lights.size());
+  params.side = a.side;
   c.set_params(params);
   std::vector<uint16_t> halves;
   for (const vec4& t : a.radiance)

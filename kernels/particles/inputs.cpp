@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "harness/crop.h"
+#include "harness/particles.h"
 #include "kernels/particles/air.h"
 
 namespace assay::particles {
@@ -157,6 +158,7 @@ Case in_frame(const FrameInputs& f) {
                        .particles = f.particles.particles,
                        .drawn = f.particles.drawn,
                        .encoding = kLightR11G11B10,
+                       .side = particle_atlas_of(f.particles.particles).side,
                        .lights = f.scene.lights};
   set_clip_rows(p, f.extent);
   c.set_params(p);

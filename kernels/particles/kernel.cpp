@@ -1,7 +1,5 @@
 #include "harness/kernel.h"
 
-#include <cmath>
-
 #include "kernels/particles/inputs.h"
 #include "kernels/particles/layout.h"
 #include "kernels/particles/oracle.h"
@@ -19,7 +17,7 @@ Count counted(uint ParticlesParams::*member) {
 uint64_t vertices(const Case& c) { return uint64_t{c.params<ParticlesParams>().drawn} * kVertices; }
 uint64_t corners(const Case& c) { return uint64_t{c.params<ParticlesParams>().drawn} * kCorners; }
 Extent atlas_extent(const Case& c) {
-  const auto side = static_cast<uint32_t>(std::lround(std::sqrt(c.input<uint32_t>("atlas").size())));
+  const uint32_t side = c.params<ParticlesParams>().side;
   return {side, side};
 }
 

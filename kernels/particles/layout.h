@@ -15,6 +15,7 @@ struct ParticlesParams {
   uint particles;    // records
   uint drawn;        // entries of the order
   uint encoding;     // kLight... of the atlas
+  uint side;         // of the atlas, texels
   // Of the variants that light particles as they are drawn.
   uint lights;  // records; those past kMostLights are not looked at
 };
@@ -34,7 +35,8 @@ SHARED_CONST uint kCorners = 4u;  // (-1, -1), (1, -1), (1, 1), (-1, 1) of right
 SHARED_CONST uint kCornersGroup = 64u;
 
 #ifdef __cplusplus
-SHARED_LAYOUT(ParticlesParams, rays, clip_x, clip_y, clip_w, near_plane, ambient, particles, drawn, encoding, lights);
+SHARED_LAYOUT(ParticlesParams, rays, clip_x, clip_y, clip_w, near_plane, ambient, particles, drawn, encoding, side,
+              lights);
 #endif
 SHARED_END
 #endif

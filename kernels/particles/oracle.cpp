@@ -26,9 +26,7 @@ struct Frame {
   std::span<const float> depth = c.input<float>("depth");
   std::span<const LightRecord> lights =
       c.input<LightRecord>("lights").first(std::min<size_t>(view.params.lights, kMostLights));
-  Atlas atlas = {c.input<uint32_t>("atlas"),
-                 static_cast<uint32_t>(std::lround(std::sqrt(c.input<uint32_t>("atlas").size()))),
-                 view.params.encoding};
+  Atlas atlas = {c.input<uint32_t>("atlas"), view.params.side, view.params.encoding};
 };
 
 // What half arithmetic makes of a number: either neighbour, and nothing of what is below the normal ones.
