@@ -85,11 +85,10 @@ TEST(Particles, FaultsOfEmittersAreNamed) {
 
 // ---- In the frame
 
-const frame::Options kLitAsDrawn = {.size = {320, 200}, .variants = {{"particles", "per_pixel"}}, .warm_up = false};
-
 TEST(Particles, AreSeenInThePicture) {
   const scene::Scene with = scene::small();
-  const auto full = draw(with, kLitAsDrawn), bare = draw(without_particles(with), kLitAsDrawn);
+  const frame::Options o = {.size = {320, 200}, .variants = {{"particles", "per_pixel"}}, .warm_up = false};
+  const auto full = draw(with, o), bare = draw(without_particles(with), o);
   const auto &a = full.downloads.at("particles.radiance"), &b = bare.downloads.at("deferred_lighting.radiance");
   ASSERT_EQ(a.size(), b.size());
   size_t changed = 0;

@@ -18,4 +18,31 @@ uint small_float(float v, uint kept) {
   return ((exponent - 113u) << kept) + mantissa | (bits >> 31) << (5u + kept);
 }
 uint binary16(float v) { return small_float(v, 10u); }
+
+// Exact, without the sign. Codes of infinities and NaN are read as the numbers that would follow.
+float small_float_value(uint code, uint kept) {
+  const uint exponent = code >> kept & 31u, mantissa = code & ((1u << kept) - 1u);
+#ifdef MUTANT_9812  // denormal numbers have a leading 1 too
+  const uint lead = 1u << kept;
+#else
+  const uint lead = exponent == 0u ? 0u : 1u << kept;
+#endif
+#ifdef MUTANT_9815  // steps below 2^-14 become finer still
+  return float(lead + mantissa) * uintBitsToFloat((exponent + 112u - kept) << 23u);
+#else
+  return float(lead + mantissa) * uintBitsToFloat((max(exponent, 1u) + 112u - kept) << 23u);
+#endif
+}
+
+// Between 0, which NaN is too, and the largest.
+float held(float v, float largest) {
+#ifdef MUTANT_9811  // beyond the largest, whatever comes out
+  return v > 0.0 ? v : 0.0;
+#else
+  return v > 0.0 ? min(v, largest) : 0.0;
+#endif
+}
+vec3 held(vec3 v, vec3 largest) {
+  return vec3(held(v.r, largest.r), held(v.g, largest.g), held(v.b, largest.b));
+}
 #endif

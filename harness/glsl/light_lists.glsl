@@ -1,7 +1,6 @@
 // The lights that a cell lists (harness/formats/cluster_lists.h). Before including, a shader declares `cells`, `entries`
 // and `params` with a grid and how many entries there are, a struct Lit, and what a light of this number does to it:
 // void add_light(inout Lit, uint light). An index past the last light must do nothing.
-// Loop turns of a walk: 256.
 #ifndef HARNESS_GLSL_LIGHT_LISTS
 #define HARNESS_GLSL_LIGHT_LISTS
 #include "harness/formats/cluster_lists.h"
@@ -22,12 +21,4 @@ List list_of(uint cell) {
   return List(first, count);
 }
 uint light_in(uint entry) { return unpack_cluster(entries[entry]).x; }
-
-void walk_own(inout Lit lit, List list) {
-#ifdef MUTANT_9831  // the first is left out
-  for (uint i = 1u; i < list.count; ++i) add_light(lit, light_in(list.first + i));
-#else
-  for (uint i = 0u; i < list.count; ++i) add_light(lit, light_in(list.first + i));
-#endif
-}
 #endif

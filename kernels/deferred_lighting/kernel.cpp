@@ -215,7 +215,7 @@ std::vector<Mutant> mutants() {
           {"subgroup_cull.comp", 12, "the first lane's box for the wave's", "light_in_one_pixel"},
           {"subgroup_cull.comp", 13, "every light taken for the first of its round", "many_lights"},
           {"lists.glsl", 14, "the last light is not there", "cells_of_one_light"},
-          {"harness/glsl/light_lists.glsl", 9831, "a list's first light is left out", "cells_of_one_light"},
+          {"harness/glsl/light_lists_own.glsl", 9831, "a list's first light is left out", "cells_of_one_light"},
           {"harness/glsl/light_lists_scalarised.glsl", 9832, "the first lane's light for the least of all",
            "cells_within_a_wave"},
           {"harness/glsl/light_lists_scalarised.glsl", 9833, "a wave of two cells taken for one of the first",

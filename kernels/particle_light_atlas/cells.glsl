@@ -4,7 +4,6 @@ READS(8, uvec2, cells);
 READS(9, uint, entries);
 READS(10, float, slice_edges);
 #include "harness/glsl/clusters.glsl"
-#include "harness/glsl/light_lists.glsl"
 
 uint cell_at(vec3 position) {
   const float depth = dot(params.depth, position), w = max(depth, params.near_plane);
