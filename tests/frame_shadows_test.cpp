@@ -127,11 +127,12 @@ std::optional<Towards> towards(const scene::Light& light, const scene::Gathered&
   return t;
 }
 
-// The share of light that arrives beyond doubt, 0 or 1. A shadow is one of everything, whichever way it faces.
+// The share of light that arrives beyond doubt, 0 or 1: the receiver itself is met first, or what is so far before it
+// that no slope over the filter's width reaches it. A shadow is one of everything, whichever way it faces.
 std::optional<int> share_by_ray(const scene::Scene& two_sided, const Towards& t) {
   const std::optional<Hit> hit = cast(two_sided, t.camera, {1, 1}, 0.5, 0.5);
   if (!hit || hit->alpha_close || hit->edge_px < 1) return {};
-  if (std::abs(hit->distance - t.distance) < 1e-3 * t.distance) return 1;
+  if (std::abs(hit->distance - t.distance) < 0.002) return 1;
   if (hit->distance < t.distance - 0.3) return 0;
   return {};
 }
