@@ -18,7 +18,14 @@ using frame::Result;
 void expect_same_light(const scene::Scene& s, Extent size) {
   const std::string radiance = "deferred_lighting.radiance", status = "cluster_lists.list_status";
   Options o = {.size = size, .clusters = "none", .goals = {radiance}, .warm_up = false};
+  const Result shadowed = draw(s, o);
+  for (const std::string clusters : {"coarse", "fine"}) {
+    o.clusters = clusters;
+    EXPECT_EQ(draw(s, o).downloads.at(radiance), shadowed.downloads.at(radiance)) << clusters << ", with shadows";
+  }
+  o.clusters = "none", o.shadows = false;
   const Result all = draw(s, o);
+  EXPECT_NE(all.downloads.at(radiance), shadowed.downloads.at(radiance)) << "no shadow is seen";
   EXPECT_FALSE(all.downloads.contains(status)) << "nobody needs lists of cells";
   for (const std::string clusters : {"coarse", "fine"})
     for (const std::string variant : {"clustered", "clustered_scalarised"}) {

