@@ -23,6 +23,7 @@ struct Row {
   double move;
   explicit Row(const vec4& v) : turn(v.x, v.y, v.z), move(v.w) {}
   bool is_finite() const { return finite(turn) && std::isfinite(move); }
+  bool is_nan() const { return glm::any(glm::isnan(turn)) || std::isnan(move); }
   Interval at(const Ball& p) const { return dot({turn, 0}, p) + exactly(move); }
 };
 
@@ -155,6 +156,7 @@ Interval share_in_view(const Map& map, int taps, const ShadowView& view, const B
   const Rows rows(view);
   if (!is_in_atlas(view.tile, map.extent) || !rows.are_finite() || std::isnan(view.bias) || !finite(normal.value))
     return kLit;
+  if (std::isinf(view.bias)) return kAny;  // times a depth of 0 it is no number, which lights
   if (std::max({rows.largest(), reach(position), reach(normal)}) > kLarge) return kAny;
   const Interval x = rows.x.at(position), y = rows.y.at(position), z = rows.z.at(position), w = rows.w.at(position);
   // What the quotients may be off by.
@@ -176,8 +178,10 @@ struct Held {
 Held held_by(const ShadowView& view, int taps, const Ball& position, float dither) {
   const Rows rows(view);
   const double side = view.tile.side;
-  if (std::isnan(dither) || !rows.x.is_finite() || !rows.y.is_finite() || side == 0) return {false, false};
-  if (std::isinf(dither)) return {dither < 0, dither < 0};
+  if (std::isnan(dither) || rows.x.is_nan() || rows.y.is_nan() || side == 0) return {false, false};
+  // An infinite place is within an infinite rim, if it is a number; otherwise within none.
+  const bool is_known = rows.x.is_finite() && rows.y.is_finite(), is_endless = std::isinf(dither) && dither < 0;
+  if (!is_known || std::isinf(dither)) return {is_endless, is_endless && is_known};
   const Interval rim = exactly(side) - exactly(side) * (exactly(kCascadeBand) * exactly(dither)) - exactly(taps - 1);
   const auto away = [&](const Row& row) { return absolute(row.at(position)) * exactly(side); };
   const Interval x = away(rows.x), y = away(rows.y);

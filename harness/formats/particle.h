@@ -15,6 +15,9 @@ struct ParticleRecord {
   vec3 albedo;    // linear
 };
 
+// Opacity and quality below this are none: devices may take denormal ones for 0.
+SHARED_CONST float kLeastShown = 1e-30f;
+
 // A particle's rectangle in the atlas, one word: where, in blocks of 8x8 texels, and how large.
 SHARED_CONST uint kLightBlockSide = 8u;
 SHARED_CONST uint kRectXBits = 0x1ffu;   // bits 0..8: x / 8

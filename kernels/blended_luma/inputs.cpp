@@ -51,7 +51,7 @@ Picture every_half() {
 }
 
 Case random_case(Random& r) {
-  Picture p = noise(random_extent(r, 16), r.rng.next());
+  Picture p = noise(random_extent(r, 32), r.rng.next());
   if (r.branch({{"any_codes", 0.5}, {"curve", 0.5}}) != 0) p.half_codes = every_half().half_codes;
   return to_case("random", p);
 }

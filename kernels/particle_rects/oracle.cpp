@@ -39,7 +39,8 @@ struct Quad {
 
 uint32_t wanted_size(const RectParams& p, const ParticleRecord& r) {
   const bool is_sound = is_number(r.centre) && is_number(r.right) && is_number(r.up);
-  if (!is_sound || !std::isfinite(r.opacity) || !std::isfinite(r.quality) || r.opacity <= 0 || r.quality <= 0) return 0;
+  if (!is_sound || !std::isfinite(r.opacity) || !std::isfinite(r.quality)) return 0;
+  if (r.opacity < kLeastShown || r.quality < kLeastShown) return 0;
   const Quad q = {held(r.centre, kMostDistance), held(r.right, kMostAxis), held(r.up, kMostAxis)};
   const float near = std::max(held(p.near_plane, kMostDistance), kLeastDistance);
   for (const vec3& side : {p.left, p.right, p.top, p.bottom})

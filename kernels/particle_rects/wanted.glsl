@@ -80,9 +80,10 @@ uint size_of(Quad q, float scale, float z) {
 uint wanted_size(ParticleRecord p) {
   if (!is_number(p.centre) || !is_number(p.right) || !is_number(p.up)) return 0u;
 #ifdef MUTANT_4  // what cannot be seen is lit
-  if (!is_number(p.opacity) || !is_number(p.quality) || !(p.quality > 0.0)) return 0u;
+  if (!is_number(p.opacity) || !is_number(p.quality) || !(p.quality >= kLeastShown)) return 0u;
 #else
-  if (!is_number(p.opacity) || !is_number(p.quality) || !(p.opacity > 0.0) || !(p.quality > 0.0)) return 0u;
+  if (!is_number(p.opacity) || !is_number(p.quality) || !(p.opacity >= kLeastShown) || !(p.quality >= kLeastShown))
+    return 0u;
 #endif
   const Quad q = Quad(held(p.centre, kMostDistance), held(p.right, kMostAxis), held(p.up, kMostAxis));
   const float near = max(held(params.near_plane, kMostDistance), kLeastDistance);

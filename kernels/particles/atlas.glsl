@@ -12,7 +12,7 @@ LightRect rect_of(uint word) {
 #ifdef MUTANT_9  // whatever the atlas's size
   return r;
 #else
-  return all(lessThanEqual(r.corner + r.side, uvec2(params.side))) ? r : LightRect(uvec2(0), 0u);
+  return all(lessThanEqual(r.corner + r.side, uvec2(params.atlas_side))) ? r : LightRect(uvec2(0), 0u);
 #endif
 }
 

@@ -25,8 +25,6 @@ struct ParticlesParams {
 SHARED_CONST float kFarthest = 1e6f;
 // Both half axes must be this long at least, in one coordinate: shorter ones' products would be denormal.
 SHARED_CONST float kSmallest = 1e-6f;
-// Opacity and quality below this are none: devices may take denormal ones for 0.
-SHARED_CONST float kLeastShown = 1e-30f;
 // Reversed depth: the farther, the nearer to 0; at or below this, and NaN, there is no surface.
 SHARED_CONST float kLeastDepth = 1e-30f;
 SHARED_CONST uint kMostLights = 32768u;  // lavapipe ends loops after 65,535 turns

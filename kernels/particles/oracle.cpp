@@ -46,7 +46,8 @@ using Texel = std::array<Interval, 4>;
 // Vulkan blends at no less than the target's precision: each operand and each result may be a half.
 Interval blended(Interval below, Interval colour, Interval alpha) {
   const Interval a = halved(alpha), rest = halved({1 - a.high, 1 - a.low});
-  if (below.low >= kNotFinite) return below;
+  // An H100 holds infinities within the largest half as it blends; lavapipe keeps them.
+  if (below.low >= kNotFinite) return {times(exactly(kLargestHalf), rest).low, kNotFinite};
   const Interval over = times(halved(colour), a), under = times(below, rest);
   Interval sum = halved({over.low + under.low, over.high + under.high});
   if (below.high >= kNotFinite) sum.high = kNotFinite;

@@ -161,12 +161,15 @@ void split(Random& r, Builder& b, const ShadowTile& t, uint32_t textures, double
 }
 
 Case random_case(Random& r) {
+  // Two fifths are over 128 texels a side, one in fifteen has over 100,000.
   uint32_t width, height;
+  const uint32_t size = r.rng.below(10);
   if (r.branch({{"powers_of_two", 2}, {"any_size", 1}}) == 0) {
     width = 8u << r.rng.below(6), height = 8u << r.rng.below(6);
-    if (r.rng.below(16) == 0) width = height = 512;
+    if (size < 4) width = height = size == 0 ? 512 : 256;
   } else {
-    width = 8 + r.rng.below(250), height = 8 + r.rng.below(250);
+    const uint32_t least = size < 4 ? 129 : 8;
+    width = least + r.rng.below(250), height = least + r.rng.below(250);
   }
   Builder b(width, height);
   const uint32_t textures = 1 + r.rng.below(3);
