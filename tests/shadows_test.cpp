@@ -49,7 +49,7 @@ TEST(Shadows, TilesNeverOverlapAndKeepTheirPlaces) {
     EXPECT_TRUE(std::ranges::equal(first.tiles, again.tiles, [](const auto& a, const auto& b) {
       return a.first == b.first && a.second.x == b.second.x && a.second.y == b.second.y;
     }));
-    // One light less, one larger: the others stay where they are.
+    // One light less: the others stay where they are.
     const TileWish gone = wishes.back();
     wishes.pop_back();
     const Packing fewer = pack_tiles(wishes, first);
