@@ -107,7 +107,7 @@ Kernel describe() {
       .mutants = mutants(),
       .cost = cost,
       .typical = typical,
-      .extents = {{640, 360}, {1920, 1080}, {3840, 2160}},
+      .extents = {{128, 72}, {1920, 1080}, {3840, 2160}},
       .frame = in_frame,
       .errors = error_table(),
   };
