@@ -44,7 +44,9 @@ TEST(FrameVrcs, FullRatesChangeNothing) {
       EXPECT_FALSE(off.downloads.contains(kShown));
       o.vrcs = vrcs;
       const Result r = draw(s, o);
-      EXPECT_EQ(r.downloads.at(kLit), off.downloads.at(kLit)) << s.name << ", " << vrcs;
+      if (vrcs == "on") {  // else particles are drawn over the deblocked picture
+        EXPECT_EQ(r.downloads.at(kLit), off.downloads.at(kLit)) << s.name;
+      }
       EXPECT_EQ(r.image.texels, off.image.texels) << s.name << ", " << vrcs;
       EXPECT_EQ(r.downloads.contains(kShown), vrcs == "deblocked");
       if (vrcs == "deblocked") {
@@ -189,8 +191,9 @@ TEST(FrameVrcs, DynamicResolutionAndBorderChangeWhatPasses) {
 
 TEST(FrameVrcs, StillFramesShowTheSameScene) {
   const scene::Scene s = scene::small();
-  const Options o = {.size = {160, 90}, .warm_up = false};
+  Options o = {.size = {160, 90}, .warm_up = false};
   const auto still = frame::render_sequence(*device(), s, scene::default_camera(s), o, {.frames = 3, .still = true});
+  o.frame = 2;  // which is in the dither between cascades
   EXPECT_EQ(still.last.image.texels, draw(s, o).image.texels);
 }
 

@@ -181,10 +181,11 @@ TEST(Gather, LookingAwayGathersNothing) {
   EXPECT_TRUE(g.decals.empty());
   EXPECT_TRUE(g.receivers.empty());
   EXPECT_TRUE(g.decal_atlas.empty());
-  ASSERT_EQ(g.notes.size(), 3u);
+  ASSERT_EQ(g.notes.size(), 4u);
   EXPECT_NE(g.notes[0].find("42 of 42"), std::string::npos) << g.notes[0];
   EXPECT_NE(g.notes[1].find("2 of 3 lights"), std::string::npos) << g.notes[1];
-  EXPECT_NE(g.notes[2].find("4 of 4 decals"), std::string::npos) << g.notes[2];
+  EXPECT_NE(g.notes[2].find("48 of 48 particles"), std::string::npos) << g.notes[2];
+  EXPECT_NE(g.notes[3].find("4 of 4 decals"), std::string::npos) << g.notes[3];
 }
 
 TEST(Gather, BlendedMaterialsAreLeftOutWithANote) {
