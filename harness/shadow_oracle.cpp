@@ -192,7 +192,7 @@ Held held_by(const ShadowView& view, int taps, const Ball& position, float dithe
 std::vector<uint32_t> faces_of(const Ball& direction) {
   const dvec3 v = direction.value, size = glm::abs(v);
   std::vector<uint32_t> faces;
-  const auto face = [&v](int axis, bool is_negative) {
+  const auto face = [](int axis, bool is_negative) {
     return static_cast<uint32_t>(2 * axis) + (is_negative ? 1 : 0);
   };
   if (!finite(v)) {

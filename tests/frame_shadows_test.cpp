@@ -54,7 +54,7 @@ TEST(FrameShadows, AStillSequenceDrawsItsTilesOnce) {
       frame::render_sequence(*device(), s, scene::default_camera(s), options, {.frames = 3, .still = true});
   ASSERT_EQ(drawn.frames.size(), 3u);
   EXPECT_GT(drawn.frames[0].shadows.still_drawn, 0u);
-  for (const size_t later : {1, 2})
+  for (const size_t later : {1u, 2u})
     EXPECT_EQ(drawn.frames[later].shadows.still_drawn + drawn.frames[later].shadows.composed, 0u);
   const Result first = draw(s, options);
   EXPECT_EQ(drawn.last.downloads.at(kAtlas), first.downloads.at(kAtlas));

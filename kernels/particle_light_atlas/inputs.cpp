@@ -200,7 +200,7 @@ Case random_case(Random& r) {
 std::vector<Case> smaller(const Case& c) {
   std::vector<Case> cases;
   const auto blocks = c.input<uint32_t>("blocks");
-  for (const size_t parts : {2, 8, 64})
+  for (const size_t parts : {2u, 8u, 64u})
     for (size_t k = 0; k < parts && blocks.size() >= parts; ++k) {
       Case part = c;
       const size_t from = blocks.size() * k / parts, to = blocks.size() * (k + 1) / parts;

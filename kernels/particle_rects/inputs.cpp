@@ -133,7 +133,7 @@ std::vector<Case> smaller(const Case& c) {
   std::vector<Case> cases;
   const auto particles = c.input<ParticleRecord>("particles");
   const auto previous = c.input<uint32_t>("previous");
-  for (const size_t parts : {2, 8, 64, 1024})
+  for (const size_t parts : {2u, 8u, 64u, 1024u})
     for (size_t k = 0; k < parts && particles.size() >= parts && cases.size() < 64; ++k) {
       const size_t from = particles.size() * k / parts, to = particles.size() * (k + 1) / parts;
       std::vector<ParticleRecord> some(particles.begin(), particles.end());

@@ -90,7 +90,7 @@ ErrorTable error_table() {
     for (const uint32_t side : {8u, 16u, 32u})
       for (const auto& [encoding, of] : {std::pair(kLightR11G11B10, "r11g11b10f"), std::pair(kLightRgb9e5, "rgb9e5")}) {
         const std::string name = fmt::format("{}, {} {}", light.name, side, of);
-        t.classes.push_back({name, "", [=] { return lit_case(name, light.height, side, encoding); }});
+        t.classes.push_back({name, "", [=, code = encoding] { return lit_case(name, light.height, side, code); }});
       }
   return t;
 }

@@ -16,7 +16,6 @@ namespace {
 
 constexpr uint64_t kJudgedAbove = 1u << 16;
 constexpr double kLeastNormalHalf = 0x1p-14;
-constexpr uint32_t kNoParticle = 0xffffffffu;
 
 struct Frame {
   const Case& c;

@@ -138,7 +138,7 @@ Case random_case(Random& r) {
 std::vector<Case> smaller(const Case& c) {
   std::vector<Case> cases;
   const auto colours = c.input<vec3>("colours");
-  for (const size_t parts : {2, 16})
+  for (const size_t parts : {2u, 16u})
     for (size_t k = 0; k < parts && colours.size() >= parts; ++k) {
       const auto some = colours.subspan(colours.size() * k / parts, colours.size() / parts);
       cases.push_back(case_of({some.begin(), some.end()}));
