@@ -192,9 +192,7 @@ Held held_by(const ShadowView& view, int taps, const Ball& position, float dithe
 std::vector<uint32_t> faces_of(const Ball& direction) {
   const dvec3 v = direction.value, size = glm::abs(v);
   std::vector<uint32_t> faces;
-  const auto face = [](int axis, bool is_negative) {
-    return static_cast<uint32_t>(2 * axis) + (is_negative ? 1 : 0);
-  };
+  const auto face = [](int axis, bool is_negative) { return static_cast<uint32_t>(2 * axis) + (is_negative ? 1 : 0); };
   if (!finite(v)) {
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     return {face(axis, v[axis] < 0)};
