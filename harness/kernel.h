@@ -97,15 +97,19 @@ struct Port {
   std::string name;
   Use use = Use::reads;
   PortKind kind = PortKind::buffer;
-  Layout layout = {};                              // of a buffer's element
-  Count count = {};                                // elements of a buffer, textures in an array of them
-  Format format = Format::r32_uint;                // of an image
-  std::optional<Format> view = {};                 // a second format of equal size that shaders see instead of `format`
+  Layout layout = {};                // of a buffer's element
+  Count count = {};                  // elements of a buffer, textures in an array of them
+  Format format = Format::r32_uint;  // of an image
+  std::optional<Format> view = {};   // a second format of equal size that shaders see instead of `format`
+  // Of an image that is read and comes in several formats: the case's. A frame's has the one that its maker gave it.
+  std::function<Format(const Case&)> format_in = {};
   std::function<Extent(const Case&)> extent = {};  // of an image; the case's where empty
   std::vector<std::string> producers = {};
   // Variants that have the port; empty: all. To the others it does not exist: neither bound nor judged nor counted.
   std::vector<std::string> only_in = {};
 };
+
+inline Format format_of(const Port& p, const Case& c) { return p.format_in ? p.format_in(c) : p.format; }
 
 template <class T>
 Port reads(std::string name, Count n, std::vector<std::string> producers = {}) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "harness/device/formats.h"
 #include "harness/device/internal.h"
 
 namespace assay::device {
@@ -155,7 +156,12 @@ const Shader& shader_of(const Lowering& l, const std::string& file) {
 
 Format format_of(const Lowering& l, const std::string& port) {
   const Port& p = port_of(*l.plan.kernel, port);
-  return p.view.value_or(p.format);
+  if (!p.format_in) return p.view.value_or(p.format);
+  const Format f = resource_of(l, port)->format;
+  if (info_of(f).sampled != info_of(p.format).sampled)
+    throw std::logic_error(fmt::format("{}: texels of port {} read otherwise as {} than as {}", l.label, port,
+                                       assay::name_of(f), assay::name_of(p.format)));
+  return f;
 }
 
 void use_buffer(std::vector<Use>& uses, const std::string& port, const Resource& r, uint64_t offset, uint64_t bytes,

@@ -39,7 +39,7 @@ Owned make_port(Device& d, const Kernel& k, const Case& c, const Port& p) {
       if (!p.count || p.layout.stride == 0) refuse(k, c, p.name, "a buffer needs a count and a layout");
       return make_buffer(d, name, p.count(c) * p.layout.stride);
     case PortKind::image:
-      return make_image(d, name, p.format, p.view, p.extent ? p.extent(c) : c.extent);
+      return make_image(d, name, format_of(p, c), p.view, p.extent ? p.extent(c) : c.extent);
     case PortKind::textures: {
       const auto it = c.textures.find(p.name);
       const std::span<const Texture> given = it == c.textures.end() ? std::span<const Texture>() : it->second;

@@ -113,7 +113,7 @@ uint64_t bytes_of(const Port& p, const Case& c) {
     case PortKind::buffer:
       return p.count(c) * p.layout.stride;
     case PortKind::image:
-      return pixel_count(p.extent ? p.extent(c) : c.extent) * bytes_per_block(p.format);
+      return pixel_count(p.extent ? p.extent(c) : c.extent) * bytes_per_block(format_of(p, c));
     case PortKind::textures:
       break;
   }

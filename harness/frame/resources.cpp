@@ -70,7 +70,7 @@ device::Owned make(device::Device& d, const Graph& graph, const Resource& r, con
     case PortKind::image: {
       if (!maker) throw std::logic_error(r.name + ": the scene holds no images");
       const Extent extent = r.port->extent ? r.port->extent(maker->input) : maker->input.extent;
-      return device::make_image(d, r.name, r.port->format, view_of(graph, r), extent);
+      return device::make_image(d, r.name, format_of(*r.port, maker->input), view_of(graph, r), extent);
     }
     case PortKind::textures: {
       const uint64_t slots = r.port->count(maker ? maker->input : Case());
