@@ -61,6 +61,14 @@ Port in(const std::vector<std::string>& variants, Port p, std::function<Extent(c
   return p;
 }
 
+const char* const kAtlases[] = {"atlas", "atlas_rgb9e5", "atlas_rgba16"};  // by kLight...
+// Readers sample it as the encoding's format; words are stored.
+Port atlas(uint32_t code, Format format, Format words) {
+  Port p = writes_image(kAtlases[code], format);
+  p.view = words;
+  return p;
+}
+
 std::vector<Port> ports() {
   return {reads<ParticleRecord>("particles", particles, {"scene.particles"}),
           reads<uint>("rects", particles, {"particle_rects.rects"}),
@@ -68,9 +76,10 @@ std::vector<Port> ports() {
           reads<ParticleRectCounts>("counts", fixed(1), {"particle_rects.counts"}),
           reads<DispatchArgs>("args", fixed(1), {"particle_rects.args"}),
           reads<LightRecord>("lights", lights, {"scene.lights"}),
-          in({"r11g11b10f", "rgb9e5", "scalarised", "all_lights", "r11g11b10f_shadowed", "all_lights_shadowed"},
-             writes_image("atlas", Format::r32_uint), atlas_extent),
-          in({"rgba16f"}, writes_image("atlas_rgba16", Format::rg32_uint), atlas_extent),
+          in({"r11g11b10f", "scalarised", "all_lights", "r11g11b10f_shadowed", "all_lights_shadowed"},
+             atlas(kLightR11G11B10, Format::r11g11b10_float, Format::r32_uint), atlas_extent),
+          in({"rgb9e5"}, atlas(kLightRgb9e5, Format::rgb9e5_float, Format::r32_uint), atlas_extent),
+          in({"rgba16f"}, atlas(kLightRgba16, Format::rgba16_float, Format::rg32_uint), atlas_extent),
           in({}, writes_image("direction", Format::rg16_snorm), direction_extent),
           in(kListed, reads<uvec2>("cells", cells, {"cluster_lists.cells"})),
           in(kListed, reads<uint>("entries", entries, {"cluster_lists.entries"})),
@@ -80,7 +89,7 @@ std::vector<Port> ports() {
 }
 
 std::vector<Bound> bounds(const std::string& walk, const std::string& encoding, uint32_t code) {
-  Bound atlas = between({code == kLightRgba16 ? "atlas_rgba16" : "atlas"},
+  Bound atlas = between({kAtlases[code]},
                         "running error of fp32 by Vulkan's table (README, Bounds), then the nearest code of each end");
   atlas.unpack = Unpack{texel_layout(), unpack_texels(code)};
   atlas.answer = walk + " atlas " + encoding;

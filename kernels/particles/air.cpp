@@ -70,7 +70,7 @@ Case to_case(const std::string& name, const Air& a) {
   c.set_input("particles", a.particles);
   c.set_input("order", a.order);
   c.set_input("rects", a.rects);
-  c.set_input("atlas", a.atlas);
+  set_atlas(c, params.encoding, a.atlas);
   c.set_input("lights", a.lights);
   return c;
 }
@@ -90,7 +90,13 @@ uint32_t rect(uint32_t side, uint32_t column, uint32_t row) {
   return column * side / 8 | (row * side / 8) << kRectYShift | size << kRectSizeShift;
 }
 
-uint32_t encoded(const dvec3& colour, uint32_t encoding) { return radiance::encoded(colour, encoding).x; }
+uvec2 encoded(const dvec3& colour, uint32_t encoding) { return radiance::encoded(colour, encoding); }
+void set_atlas(Case& c, uint32_t encoding, const std::vector<uvec2>& texels) {
+  if (encoding == kLightRgba16) return c.set_input("atlas", texels);
+  std::vector<uint32_t> words;
+  for (const uvec2& t : texels) words.push_back(t.x);
+  c.set_input("atlas", words);
+}
 
 void add_plume(Air& a, Pcg32& rng, uint32_t count, double nearest_m, double farthest_m, double radius_m) {
   std::vector<double> depths;

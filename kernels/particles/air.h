@@ -13,8 +13,8 @@ struct Air {
   std::vector<ParticleRecord> particles = {};
   std::vector<uint32_t> order = {};
   std::vector<uint32_t> rects = {};
-  uint32_t side = 0;  // of the atlas
-  std::vector<uint32_t> atlas = {};
+  uint32_t side = 0;              // of the atlas
+  std::vector<uvec2> atlas = {};  // of encodings of a word its upper is not used
   std::vector<LightRecord> lights = {};
 
   glm::dvec3 ray(double x, double y) const;        // to view depth 1, through (x, y) in pixels
@@ -34,8 +34,10 @@ void set_clip_rows(ParticlesParams&, Extent);
 ParticleRecord facing(const glm::dvec3& centre, double radius);
 // A word of formats/particle.h: which square of so many texels (8, 16, 32), counted in those.
 uint32_t rect(uint32_t side, uint32_t column, uint32_t row);
-// A word of radiance.
-uint32_t encoded(const glm::dvec3&, uint32_t encoding);
+// Radiance as the params' encoding says.
+uvec2 encoded(const glm::dvec3&, uint32_t encoding);
+
+void set_atlas(Case&, uint32_t encoding, const std::vector<uvec2>& texels);
 
 // A plume's particles, farthest first, over all of the view, each with a rectangle.
 void add_plume(Air&, Pcg32&, uint32_t count, double nearest_m, double farthest_m, double radius_m);

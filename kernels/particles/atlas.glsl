@@ -1,10 +1,9 @@
 // A particle's light out of the atlas; of one that has no rectangle ambient light alone.
 #include "harness/glsl/particles.glsl"
-#include "harness/glsl/radiance_encodings.glsl"
 #include "kernels/particles/fragment.glsl"
 
 READS(3, uint, rects);
-layout(binding = 4) uniform utexture2D atlas;
+layout(binding = 4) uniform texture2D atlas;
 
 // A rectangle that does not lie in the atlas is none.
 LightRect rect_of(uint word) {
@@ -23,7 +22,7 @@ vec3 texel(LightRect r, ivec2 at) {
 #else
   const ivec2 from = ivec2(r.corner) + clamp(at, ivec2(0), ivec2(r.side) - 1);
 #endif
-  return decode_radiance(texelFetch(atlas, from, 0).r, params.encoding);
+  return texelFetch(atlas, from, 0).rgb;
 }
 
 // In texels, a texel's centre at a whole number.

@@ -50,7 +50,7 @@ Case lit_case(const std::string& name, double height, uint32_t side, uint32_t en
   for (uint32_t y = 0; y < side; ++y)
     for (uint32_t x = 0; x < side; ++x)
       a.atlas[y * a.side + x] = encoded(exact_light(c, (2.0 * dvec2(x, y) + 1.0) / double(side) - 1.0), encoding);
-  c.set_input("atlas", a.atlas);
+  set_atlas(c, encoding, a.atlas);
   return c;
 }
 

@@ -93,8 +93,10 @@ std::vector<HardCase> record_cases() {
       {"brightest", "colour and picture at the largest half", made([] {
          Air a = air(kSmall);
          for (vec4& t : a.radiance) t = vec4(65504, 65504, 1, 1);
-         for (uint32_t& w : a.atlas) w = 0xffffffffu;
-         a.add(facing({0, 0, -3}, 2), rect(16, 1, 1));
+         for (uvec2& t : a.atlas) t = encoded({65024, 65024, 64512}, kLightR11G11B10);
+         ParticleRecord p = facing({0, 0, -3}, 2);
+         p.albedo = vec3(2);
+         a.add(p, rect(16, 1, 1));
          return a;
        })},
   };
@@ -143,6 +145,24 @@ std::vector<HardCase> view_cases() {
   };
 }
 
+// One particle, over texels from an encoding's least to its largest exponent.
+Air all_exponents(uint32_t encoding) {
+  Air a = air(kSmall);
+  a.params.encoding = encoding;
+  for (size_t i = 0; i < a.atlas.size(); ++i)
+    a.atlas[i] = encoded(dvec3(1, 0.3, 0.01) * std::exp2(static_cast<double>(i % 40) - 24), encoding);
+  a.add(facing({0, 0, -2.5}, 2.5), rect(32, 1, 1));
+  return a;
+}
+// Four particles side by side, a texel of each with a code of its own.
+Air with_bad_texels(Air a, std::span<const uvec2> codes) {
+  for (uint32_t i = 0; i < codes.size(); ++i) {
+    a.atlas[size_t{a.side} * (8 + 3) + 8 * i + 4] = codes[i];
+    a.add(facing({1.2 * i - 1.8, 0, -2.5}, 0.6), rect(8, i, 1));
+  }
+  return a;
+}
+
 std::vector<HardCase> atlas_cases() {
   return {
       {"no_rect", "dropped by a full atlas: ambient light alone", made([] {
@@ -172,13 +192,22 @@ std::vector<HardCase> atlas_cases() {
          a.add(facing({0, 0, -2.5}, 2.5), rect(8, 4, 5));
          return a;
        })},
-      {"rgb9e5", "the other encoding, from the least to the largest exponent", made([] {
+      {"rgb9e5", "another encoding, from the least to the largest exponent",
+       made([] { return all_exponents(kLightRgb9e5); })},
+      {"rgba16f", "two words a texel, from denormal halves to the largest",
+       made([] { return all_exponents(kLightRgba16); })},
+      {"no_number_codes", "infinities and NaN of R11G11B10F, each on a rectangle of its own", made([] {
          Air a = air(kSmall);
-         a.params.encoding = kLightRgb9e5;
-         for (size_t i = 0; i < a.atlas.size(); ++i)
-           a.atlas[i] = encoded(dvec3(1, 0.3, 0.01) * std::exp2(static_cast<double>(i % 32) - 16), kLightRgb9e5);
-         a.add(facing({0, 0, -2.5}, 2.5), rect(32, 1, 1));
-         return a;
+         const uvec2 codes[] = {{0x7c0u, 0}, {0x7c1u << 11, 0}, {0xf8000000u, 0}, {0xffffffffu, 0}};
+         return with_bad_texels(a, codes);
+       })},
+      {"no_number_halves", "infinities, NaN and negative numbers of RGBA16F", made([] {
+         Air a = air(kSmall);
+         a.params.encoding = kLightRgba16;
+         for (uvec2& t : a.atlas) t = encoded({1, 0.5, 2}, kLightRgba16);
+         const uvec2 codes[] = {
+             {0x7c003c00u, 0x3c00u}, {0xfc003c00u, 0x3c00u}, {0x3c007e00u, 0x3c00u}, {0xc400c400u, 0xc400u}};
+         return with_bad_texels(a, codes);
        })},
       {"denormal_texels", "R11G11B10F's least numbers, in a dark picture", made([] {
          Air a = air(kSmall);

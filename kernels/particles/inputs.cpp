@@ -71,16 +71,12 @@ Case random_case(Random& r) {
       p.up = vec3(turned(dvec3(p.up), r.rng.range(-1.5, 1.5), r.rng.range(-1.5, 1.5)));
   if (r.branch({{"whole", 0.8}, {"broken", 0.2}}) != 0) break_particles(a, r.rng);
   if (r.branch({{"wall", 0.6}, {"odd_depths", 0.4}}) != 0) break_depth(a, r.rng);
-  switch (r.branch({{"atlas_r11g11b10f", 0.5}, {"atlas_rgb9e5", 0.3}, {"atlas_noise", 0.2}})) {
-    case 0:
-      break;
-    case 1:
-      a.params.encoding = kLightRgb9e5;
-      for (uint32_t& word : a.atlas) word = encoded({r.rng.unit(), 3 * r.rng.unit(), 0.1 * r.rng.unit()}, kLightRgb9e5);
-      break;
-    default:
-      for (uint32_t& word : a.atlas) word = r.rng.next();
-  }
+  const uint32_t encodings[] = {kLightR11G11B10, kLightRgb9e5, kLightRgba16};
+  a.params.encoding = encodings[r.branch({{"atlas_r11g11b10f", 0.5}, {"atlas_rgb9e5", 0.25}, {"atlas_rgba16f", 0.25}})];
+  const bool noise = r.branch({{"texels_whole", 0.8}, {"texels_noise", 0.2}}) != 0;
+  for (uvec2& texel : a.atlas)
+    texel = noise ? uvec2(r.rng.next(), r.rng.next())
+                  : encoded({r.rng.unit(), 3 * r.rng.unit(), 0.1 * r.rng.unit()}, a.params.encoding);
   if (r.branch({{"rects_whole", 0.7}, {"rects_odd", 0.3}}) != 0)
     for (uint32_t& word : a.rects) word = r.rng.below(2) ? r.rng.next() : kNoRect;
   if (r.branch({{"order_whole", 0.7}, {"order_odd", 0.3}}) != 0)
@@ -92,10 +88,11 @@ Case random_case(Random& r) {
 
 std::vector<std::string> branches() {
   std::vector<std::string> all = kExtentBranches;
-  for (const char* b : {"straight",   "turned",           "plume",        "plume_near",  "plume_far",
-                        "facing",     "aslant",           "whole",        "broken",      "wall",
-                        "odd_depths", "atlas_r11g11b10f", "atlas_rgb9e5", "atlas_noise", "rects_whole",
-                        "rects_odd",  "order_whole",      "order_odd",    "dark",        "lit"})
+  for (const char* b :
+       {"straight",     "turned",        "plume",        "plume_near",   "plume_far",   "facing",
+        "aslant",       "whole",         "broken",       "wall",         "odd_depths",  "atlas_r11g11b10f",
+        "atlas_rgb9e5", "atlas_rgba16f", "texels_whole", "texels_noise", "rects_whole", "rects_odd",
+        "order_whole",  "order_odd",     "dark",         "lit"})
     all.push_back(b);
   return all;
 }
@@ -157,7 +154,6 @@ Case in_frame(const FrameInputs& f) {
                        .ambient = f.ambient,
                        .particles = f.particles.particles,
                        .drawn = f.particles.drawn,
-                       .encoding = kLightR11G11B10,
                        .atlas_side = particle_atlas_of(f.particles.particles).side,
                        .lights = f.scene.lights};
   set_clip_rows(p, f.extent);

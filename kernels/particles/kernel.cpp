@@ -21,6 +21,13 @@ Extent atlas_extent(const Case& c) {
   return {side, side};
 }
 
+Format atlas_format(const Case& c) {
+  const uint32_t encoding = c.params<ParticlesParams>().encoding;
+  return encoding == kLightRgb9e5   ? Format::rgb9e5_float
+         : encoding == kLightRgba16 ? Format::rgba16_float
+                                    : Format::r11g11b10_float;
+}
+
 Port only_in(const std::vector<std::string>& variants, Port p) {
   p.only_in = variants;
   return p;
@@ -32,7 +39,10 @@ std::vector<Port> ports() {
       .kind = PortKind::image,
       .format = Format::rgba16_float,
       .producers = {"vrcs_deblock.deblocked_radiance", "vrcs_deblock.radiance_in_place", "deferred_lighting.radiance"}};
-  Port atlas = reads_image("atlas", Format::r32_uint, {"particle_light_atlas.atlas"});
+  Port atlas = reads_image(
+      "atlas", Format::r11g11b10_float,
+      {"particle_light_atlas.atlas", "particle_light_atlas.atlas_rgb9e5", "particle_light_atlas.atlas_rgba16"});
+  atlas.format_in = atlas_format;
   atlas.extent = atlas_extent;
   return {reads<ParticleRecord>("particles", counted(&ParticlesParams::particles), {"scene.particles"}),
           reads<uint>("order", counted(&ParticlesParams::drawn), {"scene.particle_order"}),
@@ -63,7 +73,7 @@ Cost cost_of(const Case& c, uint64_t bytes_read, uint64_t bytes_written) {
 }
 Cost cost(const Case& c) {
   const auto p = c.params<ParticlesParams>();
-  return cost_of(c, p.particles * sizeof(uint) + uint64_t{p.atlas_side} * p.atlas_side * sizeof(uint), 0);
+  return cost_of(c, p.particles * sizeof(uint) + pixel_count(atlas_extent(c)) * bytes_per_block(atlas_format(c)), 0);
 }
 Cost cost_of_lights(const Case& c) { return cost_of(c, c.params<ParticlesParams>().lights * sizeof(LightRecord), 0); }
 Cost cost_of_corners(const Case& c) {

@@ -14,7 +14,7 @@ struct ParticlesParams {
   vec3 ambient;      // radiance that comes from everywhere
   uint particles;    // records
   uint drawn;        // entries of the order
-  uint encoding;     // kLight... of the atlas
+  uint encoding;     // kLight... of the case's atlas; shaders see it decoded
   uint atlas_side;   // texels
   // Of the variants that light particles as they are drawn.
   uint lights;  // records; those past kMostLights are not looked at

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/half.h"
 #include "harness/lighting_oracle.h"
 #include "harness/radiance_oracle.h"
 
@@ -23,9 +24,26 @@ Rect rect_of(const Atlas& atlas, uint32_t word) {
   return r.x + r.side <= atlas.side && r.y + r.side <= atlas.side ? r : Rect{};
 }
 
+constexpr double kAny = 1e300;  // light of what is no number: whatever a device makes of it, up to here
+
+// Infinities and NaN are NaN.
+dvec3 decoded(const Atlas& atlas, size_t at) {
+  if (atlas.encoding == kLightRgba16) {
+    const uint32_t low = atlas.words[2 * at], high = atlas.words[2 * at + 1];
+    const auto half = [](uint32_t bits) { return half_value(static_cast<uint16_t>(bits)); };
+    const dvec3 halves = {half(low), half(low >> 16), half(high)};
+    return halves + (halves - halves);
+  }
+  const uint32_t word = atlas.words[at];
+  dvec3 v = radiance::decoded({word, 0}, atlas.encoding);
+  if (atlas.encoding == kLightR11G11B10)
+    for (int i = 0; i < 3; ++i)
+      if (const uint32_t exponent = i < 2 ? 0x7c0u << 11 * i : 0xf8000000u; (word & exponent) == exponent) v[i] = NAN;
+  return v;
+}
 dvec3 texel(const Atlas& atlas, const Rect& r, int64_t x, int64_t y) {
   const int64_t column = r.x + std::clamp<int64_t>(x, 0, r.side - 1), row = r.y + std::clamp<int64_t>(y, 0, r.side - 1);
-  return radiance::decoded({atlas.words[static_cast<size_t>(row * atlas.side + column)], 0}, atlas.encoding);
+  return decoded(atlas, static_cast<size_t>(row * atlas.side + column));
 }
 
 // Weights of the texels from one before the place to two after it, of its fraction f between two.
@@ -53,15 +71,17 @@ std::array<Interval, 4> weights(Filter filter, Interval f) {
 Colour in_cell(const Atlas& atlas, const Rect& r, Filter filter, glm::i64vec2 first, Interval fx, Interval fy) {
   const auto x = weights(filter, fx), y = weights(filter, fy);
   Colour sum = {};
-  dvec3 size(0), least(1e300), most(0);
+  dvec3 size(0), least(kAny), most(0);
   for (size_t j = 0; j < 4; ++j)
     for (size_t i = 0; i < 4; ++i) {
+      if (filter == Filter::bilinear && (i % 3 == 0 || j % 3 == 0)) continue;
       const dvec3 t = texel(atlas, r, first.x + static_cast<int64_t>(i) - 1, first.y + static_cast<int64_t>(j) - 1);
       const auto [low, high] =
           std::minmax({x[i].low * y[j].low, x[i].low * y[j].high, x[i].high * y[j].low, x[i].high * y[j].high});
       for (int c = 0; c < 3; ++c) {
-        sum[static_cast<size_t>(c)].low += low * t[c], sum[static_cast<size_t>(c)].high += high * t[c];
-        size[c] += std::max(std::fabs(low), std::fabs(high)) * t[c];
+        sum[static_cast<size_t>(c)].low += std::min(low * t[c], high * t[c]);
+        sum[static_cast<size_t>(c)].high += std::max(low * t[c], high * t[c]);
+        size[c] += std::max(std::fabs(low), std::fabs(high)) * std::fabs(t[c]);
       }
       if (i % 3 != 0 && j % 3 != 0) least = min(least, t), most = max(most, t);
     }
@@ -70,17 +90,22 @@ Colour in_cell(const Atlas& atlas, const Rect& r, Filter filter, glm::i64vec2 fi
     const double error = 18 * kUnitRoundoff * bounded::kSlack * size[c];
     s = {s.low - error, s.high + error};
     if (filter == Filter::catmull_rom) s = clamped(s, least[c], most[c]);
+    if (std::isnan(size[c])) s = {-kAny, kAny};
   }
   return sum;
 }
 
 Colour any_texel(const Atlas& atlas, const Rect& r) {
-  dvec3 least(1e300), most(0);
+  dvec3 least(kAny), most(0), sum(0);
   for (int64_t y = 0; y < r.side; ++y)
-    for (int64_t x = 0; x < r.side; ++x)
-      least = min(least, texel(atlas, r, x, y)), most = max(most, texel(atlas, r, x, y));
+    for (int64_t x = 0; x < r.side; ++x) {
+      const dvec3 t = texel(atlas, r, x, y);
+      least = min(least, t), most = max(most, t), sum += t;
+    }
   Colour any;
-  for (int c = 0; c < 3; ++c) any[static_cast<size_t>(c)] = bounded::rounded({least[c], most[c]}, 24);
+  for (int c = 0; c < 3; ++c)
+    any[static_cast<size_t>(c)] =
+        std::isnan(sum[c]) ? Interval{-kAny, kAny} : bounded::rounded({least[c], most[c]}, 24);
   return any;
 }
 

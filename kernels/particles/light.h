@@ -8,7 +8,7 @@ using Colour = Intervals3;
 enum class Filter { bilinear, b_spline, catmull_rom };
 
 struct Atlas {
-  std::span<const uint32_t> words;
+  std::span<const uint32_t> words;  // two a texel of kLightRgba16
   uint32_t side = 0, encoding = 0;
 };
 // None of a rectangle that is none or reaches out of the atlas.
