@@ -1,9 +1,11 @@
 // Particles of scenes: emitters, records and their order, motion; and what a frame does with them.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "harness/frame/frame.h"
+#include "harness/half.h"
 #include "tests/drawn.h"
 
 namespace assay::tests {
@@ -95,6 +97,32 @@ TEST(Particles, AreSeenInThePicture) {
   for (size_t i = 0; i < a.size(); i += 8) changed += std::memcmp(&a[i], &b[i], 8) != 0;
   EXPECT_GT(changed, 200u);
   EXPECT_LT(changed, a.size() / 8);
+}
+
+// Whatever the atlas is stored as, it is seen as that. Of a channel R11G11B10F is 2^-6 off at most (blue), RGB9E5 and
+// RGBA16F less; bilinear weights are shares, and colours sum up to the picture: the root mean square of what pictures
+// differ by stays below that, halves and all.
+TEST(Particles, AnEncodingOfTheirLightIsDrawnAsTheOthers) {
+  const auto drawn_with = [](const std::string& encoding) {
+    const frame::Options o = {.size = {320, 200},
+                              .variants = {{"particles", "bilinear"}, {"particle_light_atlas", encoding}},
+                              .shadows = false,
+                              .warm_up = false};
+    return words<uint16_t>(draw(scene::small(), o).downloads.at("particles.radiance"));
+  };
+  const auto finest = drawn_with("rgba16f");
+  for (const std::string encoding : {"r11g11b10f", "rgb9e5"}) {
+    const auto other = drawn_with(encoding);
+    ASSERT_EQ(other.size(), finest.size());
+    double squares = 0, changed = 0;
+    for (size_t i = 0; i < finest.size(); ++i) {
+      if (other[i] == finest[i]) continue;
+      const double most = half_value(finest[i]), off = (half_value(other[i]) - most) / most;
+      squares += off * off, ++changed;
+    }
+    EXPECT_GT(changed, 200) << encoding << " is another";
+    EXPECT_LT(std::sqrt(squares / changed), 0x1p-6) << encoding;
+  }
 }
 
 }  // namespace
