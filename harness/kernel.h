@@ -333,7 +333,7 @@ struct Figure {
   double limit = 0;  // a goal that value must not exceed; 0: none
 };
 struct ErrorTable {
-  std::vector<HardCase> classes = {};  // a case each
+  std::vector<HardCase> classes = {};  // a case each; nightly ones are for studies, which ask for them by name
   std::function<std::vector<Figure>(const Variant&, const Case&, const std::map<std::string, Bytes>& written)> figures =
       {};
 };

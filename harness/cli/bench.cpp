@@ -121,6 +121,7 @@ void add_bench(CLI::App& app, Action& action) {
       ->type_name("DIR");
   add_device_flags(command, f->common);
   add_json_flag(command, f->common, "The record as JSON, every sample in it");
+  add_bench_particle_light(*command, action);
   add_bench_vrcs(*command, action);
   command->callback([&action, command, f] {
     if (command->get_subcommands().empty()) action = [f] { return run(*f); };

@@ -34,6 +34,7 @@ void add_check(CLI::App&, Action&);
 void add_mutate(CLI::App&, Action&);
 void add_diff(CLI::App&, Action&);
 void add_bench(CLI::App&, Action&);
+void add_bench_particle_light(CLI::App& bench, Action&);
 void add_bench_vrcs(CLI::App& bench, Action&);
 void add_frame(CLI::App&, Action&);
 

@@ -46,14 +46,19 @@ std::vector<std::vector<ErrorRow>> ranked(const std::vector<ErrorRow>& rows) {
 
 }  // namespace
 
+std::vector<Figure> measure_errors(device::Device& d, const device::Plan& plan, const HardCase& input_class) {
+  const Case c = input_class.make();
+  return plan.kernel->errors.figures(*plan.variant, c, written(d, plan, c));
+}
+
 std::vector<ErrorRow> measure_errors(device::Device& d, const Kernel& k, const Variant& v,
                                      const std::map<std::string, uint32_t>& constants) {
   std::vector<ErrorRow> rows;
   if (!device::missing(device::info(d), v).empty()) return rows;
   const device::Plan plan = {.kernel = &k, .variant = &v, .constants = constants};
   for (const HardCase& input : k.errors.classes) {
-    const Case c = input.make();
-    auto figures = k.errors.figures(v, c, written(d, plan, c));
+    if (input.nightly) continue;
+    auto figures = measure_errors(d, plan, input);
     if (!figures.empty()) rows.push_back({&k, &v, device::label_of(v, constants), input.name, std::move(figures)});
   }
   return rows;

@@ -13,7 +13,9 @@ struct ErrorRow {
   std::string input_class;
   std::vector<Figure> figures;
 };
-// Every class of the kernel's table; nothing where it has none, or the variant cannot run here.
+// Of one class; none where the table has none of the variant.
+std::vector<Figure> measure_errors(device::Device&, const device::Plan&, const HardCase& input_class);
+// Every class of the kernel's table but the nightly ones; nothing where it has none, or the variant cannot run here.
 std::vector<ErrorRow> measure_errors(device::Device&, const Kernel&, const Variant&,
                                      const std::map<std::string, uint32_t>& constants);
 // "recentred, class huge: weight max is 2e-06, the goal 1e-06", a line each that is past its goal, NaN too.

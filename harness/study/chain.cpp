@@ -9,16 +9,11 @@
 #include "harness/formats/exposure.h"
 #include "harness/formats/visibility.h"
 #include "harness/formats/vrcs.h"
+#include "harness/study/parameters.h"
 
 namespace assay::study {
 
 namespace {
-
-const Variant& variant_of(const Kernel& k, const std::string& name) {
-  const auto it = std::ranges::find(k.variants, name, &Variant::name);
-  if (it == k.variants.end()) throw std::logic_error(k.name + " has no variant " + name);
-  return *it;
-}
 
 // The benchmark's case with another input; no rates, lists or borders of its own count, for earlier steps write them.
 Step step_of(const std::string& kernel, Extent e) {
@@ -31,16 +26,6 @@ void add(Chain& c, Step& step, const std::string& variant, const device::Ports& 
   known.insert(have.begin(), have.end());
   step.ports = device::make_ports(*c.device, *step.kernel, step.input, std::move(known), &v);
   step.commands[variant] = device::lower(*c.device, {step.kernel, &v}, step.input, step.ports);
-}
-
-// A word of the parameters, by its name in the shared struct.
-template <class T>
-void set_parameter(Step& step, const std::string& name, T value) {
-  static_assert(sizeof(T) == 4);
-  const auto& fields = step.kernel->params.fields;
-  const auto field = std::ranges::find(fields, name, &Field::name);
-  if (field == fields.end()) throw std::logic_error(step.kernel->name + " has no parameter " + name);
-  std::memcpy(step.input.parameters.data() + field->offset, &value, sizeof(T));
 }
 
 void append(std::vector<device::Command>& to, const std::vector<device::Command>& more) {
@@ -70,9 +55,12 @@ void measure_luma(Chain& c) {
 
 // Whose colour each pixel gets, by its place.
 std::vector<uint32_t> sources(Chain& c, const Choice& choice) {
-  set_parameter(c.rates, "tolerance", choice.tolerance);
-  set_parameter(c.rates, "flags", choice.weber ? kWeber : 0u);
-  set_parameter(c.rates, "extra_half", choice.extra_half);
+  const auto set = [&](const std::string& name, auto value) {
+    set_parameter(*c.rates.kernel, c.rates.input, name, value);
+  };
+  set("tolerance", choice.tolerance);
+  set("flags", choice.weber ? kWeber : 0u);
+  set("extra_half", choice.extra_half);
   device::write(*c.device, *c.rates.ports.at("params"), c.rates.input.parameters);
   std::vector<device::Command> commands;
   append(commands, c.rates.commands.at(choice.estimator));
