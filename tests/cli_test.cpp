@@ -106,6 +106,7 @@ TEST(Cli, WrongFlagsAndNamesAreOneLine) {
       {"check --seed 1.5", "seed"},
       {"check no_such_kernel", "no kernel 'no_such_kernel'; did you mean"},
       {"check {kernel} --variant no_such_variant", "no variant 'no_such_variant'; did you mean"},
+      {"check {kernel} --defaults --variant x", "defaults"},
       {"check {kernel} --case no_such_case", "no case 'no_such_case'; did you mean"},
       {"check --validation maybe", "maybe"},
       {"list no_such_kernel", "no_such_kernel"},
@@ -188,6 +189,17 @@ TEST(Cli, UnwritableOutputIsOneLineBeforeAnyWork) {
   expect_one_line("bench --runs " + blocked, blocked);
   for (const char* flag : {"json=", "map="})
     expect_one_line(fmt::format("diff a.png b.png --{}{}.png", flag, blocked), blocked);
+}
+
+TEST(Cli, ChecksTheDefaultsAlone) {
+  const Ran r = assay("check tile_visit tile_classification --defaults --trials 1 --json=-");
+  EXPECT_EQ(r.code, 0) << r.err;
+  const Json kernels = Json::parse(r.out).at("kernels");
+  ASSERT_EQ(kernels.size(), 2u);
+  for (const Json& k : kernels) {
+    ASSERT_EQ(k.at("variants").size(), 1u);
+    EXPECT_EQ(k.at("variants")[0].at("name"), kernel_named(k.at("name")).default_variant);
+  }
 }
 
 TEST(Cli, DiffTellsHowFarAndFails) {

@@ -20,7 +20,7 @@ TEST(FrameNeeds, RemovingParticlesRemovesTheirPassesAndBytes) {
   scene::Scene elsewhere = with;
   for (scene::Particle& p : elsewhere.particles) p.centre += glm::dvec3(0, 0, 1e4);
   const auto info = device::info(*device());
-  const frame::Options options = {.size = {320, 200}, .variants = {{"particles", "per_pixel"}}};
+  const frame::Options options = {.size = {320, 200}};
   const auto explained = [&](const scene::Scene& s) {
     return frame::explain(info, s, scene::default_camera(with), options);
   };
@@ -81,6 +81,37 @@ TEST(FrameNeeds, RemovingMaterialsRemovesTheirPassesAndBytes) {
   EXPECT_TRUE(weaves(full));
   EXPECT_FALSE(weaves(bare));
   EXPECT_LT(frame::total_bytes(bare), frame::total_bytes(full));
+}
+
+// Pipelines that a frame of `small` makes.
+size_t pipelines(const scene::Scene& s, const frame::Options& o = {}) {
+  device::Handle own = device::open(device_options());
+  frame::Options options = o;
+  options.size = {160, 90}, options.warm_up = false;
+  frame::render(*own, s, scene::default_camera(scene::small()), options);
+  return device::pipeline_count(*own);
+}
+
+TEST(FrameNeeds, WhatIsRemovedHasNoPipelines) {
+  const scene::Scene with = scene::small();
+  const size_t full = pipelines(with);
+  const auto less = [&](const char* what, const auto& remove) {
+    scene::Scene s = with;
+    remove(s);
+    EXPECT_LT(pipelines(s), full) << what;
+  };
+  less("particles", [](scene::Scene& s) { s.particles.clear(); });
+  less("decals", [](scene::Scene& s) { s.decals.clear(); });
+  less("lights", [](scene::Scene& s) { s.lights.clear(); });
+  less("shadows", [](scene::Scene& s) {
+    for (scene::Light& l : s.lights) l.casts_shadows = false;
+  });
+  less("a class of materials", [](scene::Scene& s) {
+    for (scene::Mesh& m : s.meshes)
+      std::erase_if(m.parts,
+                    [&](const scene::Part& p) { return (s.materials[p.material].features & kFeatureCloth) != 0; });
+  });
+  EXPECT_GT(pipelines(with, {.vrcs = "on"}), full) << "variable rates";
 }
 
 }  // namespace

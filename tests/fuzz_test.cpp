@@ -12,7 +12,10 @@ namespace {
 class Fuzz : public testing::TestWithParam<std::string> {};
 
 TEST_P(Fuzz, Trials) {
-  check::Options options{.kernels = {GetParam()}, .trials = number_from("ASSAY_TRIALS", 100), .hard = false};
+  const check::Options options{.kernels = {GetParam()},
+                               .variant = text_from("ASSAY_VARIANT"),
+                               .trials = number_from("ASSAY_TRIALS", 100),
+                               .hard = false};
   const auto results = check::check(device(), device_options(), options);
   print_report(results);
   if (const std::string why = skipped(results); !why.empty()) GTEST_SKIP() << why;

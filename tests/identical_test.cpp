@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <numeric>
+#include <set>
 
 #include "harness/check/cases.h"
 #include "harness/half.h"
+#include "kernels/deferred_lighting/picture.h"
 #include "kernels/deferred_lighting/sources.h"
+#include "kernels/particle_light_atlas/inputs.h"
 #include "kernels/resolve/layout.h"
 #include "tests/lowered.h"
 
@@ -105,8 +109,87 @@ TEST(Identical, PrimariesAreEveryPixelsBits) {
   EXPECT_GT(copies, 10000u);
 }
 
-// ---- The sum of resolve, in float as its README orders it
-// ----------------------------------------------------------
+// ---- Surfaces and particles are lit alike: the texels of a particle, and a wall of white leaf in its place ----
+
+constexpr uint32_t kSide = 32;
+struct Quad {
+  vec3 centre, right, up, normal;  // whose numbers have few bits: no place on it is rounded
+};
+const Quad kQuads[] = {{{0.25f, -0.5f, -2}, {0.5f, 0, 0}, {0, 0.75f, 0}, {0, 0, 1}},
+                       {{-1, 0.25f, -2.5f}, {0, 0.5f, 0}, {0, 0, 0.75f}, {1, 0, 0}},
+                       {{1, 0, -2}, {0, 0.25f, 0}, {0, 0, 0.5f}, {-1, 0, 0}},
+                       {{0, -0.75f, -2}, {0.25f, 0, 0}, {0, 0, 0.5f}, {0, 1, 0}},
+                       {{0.5f, 1, -3}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}}};
+
+ParticleRecord record_of(const Quad& q) {
+  return {.centre = q.centre, .opacity = 1, .right = q.right, .up = q.up, .quality = 1, .albedo = vec3(1)};
+}
+
+// At depth 1 a pixel's position is its ray. Particles go up from row to row, so the view is upside down.
+Case as_surface(const Quad& q) {
+  deferred_lighting::Picture wall = deferred_lighting::wall({kSide, kSide});
+  Pcg32 rng(0x5a9e);
+  deferred_lighting::add_lights(wall, rng, 40, 3);
+  for (LightRecord& l : wall.lights) l.position += q.centre + vec3(0, 0, 3);
+  wall.params.ambient = particle_light_atlas::Scene(128).params.ambient;
+  wall.params.rays = {q.centre - q.right - q.up, q.right / float{kSide / 2}, q.up / float{kSide / 2}};
+  std::ranges::fill(wall.depth, wall.params.near_plane);
+  std::ranges::fill(wall.base, deferred_lighting::base_code(255, 255, 255, 255));
+  std::ranges::fill(wall.metal, deferred_lighting::metal_code(0, 255));
+  std::ranges::fill(wall.normal, deferred_lighting::octahedral_code(glm::dvec3(q.normal)));
+  std::ranges::fill(wall.emissive, 0);
+  std::ranges::fill(wall.features, kFeatureSubsurface);
+  Case c = to_case("wall", wall);
+  c.set_input("particles", std::vector<ParticleRecord>{record_of(q)});
+  return c;
+}
+
+std::vector<Texel> in_atlas(const Quad& q, std::span<const LightRecord> lights) {
+  particle_light_atlas::Scene s(128);
+  s.lights.assign(lights.begin(), lights.end());
+  s.add_cells(256, {0.25f, 60}, [&](uint32_t) {
+    std::vector<uint32_t> all(lights.size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+  });
+  s.add(record_of(q), 3);
+  const auto atlas = values<Texel>(
+      answers(kernel_named("particle_light_atlas"), "rgba16f", to_case(s), {"", {}, {"atlas_rgba16"}})[0]);
+  const ParticleRegion region = s.region(3);
+  std::vector<Texel> texels;
+  for (uint32_t y = 0; y < kSide; ++y)
+    for (uint32_t x = 0; x < kSide; ++x) texels.push_back(atlas[size_t{region.row + y} * s.params.side + x]);
+  return texels;
+}
+
+Case for_kernel(const Kernel& k, Case c) {
+  std::erase_if(c.inputs, [&](const auto& input) {
+    return std::ranges::none_of(k.ports, [&](const Port& p) { return p.name == input.first; });
+  });
+  return c;
+}
+
+// The sums' bits; and what the two kernels store is those sums rounded: to nearest by hand, either way by the device.
+TEST(Identical, SurfacesAndParticlesAreLitAlike) {
+  for (const Quad& q : kQuads) {
+    const Case c = as_surface(q);
+    const Kernel &both = planted("shaded_twice"), &lighting = kernel_named("deferred_lighting");
+    const auto sums = answers(both, "all_lights", for_kernel(both, c), {"", {}, {"as_surface", "as_particle"}});
+    EXPECT_EQ(sums[0], sums[1]);
+    const auto surface = radiance(lighting, "plain", for_kernel(lighting, c));
+    const auto particle = in_atlas(q, c.input<LightRecord>("lights"));
+    const auto sum = values<vec3>(sums[0]);
+    for (size_t i = 0; i < sum.size(); ++i)
+      for (int k = 0; k < 3; ++k) {
+        ASSERT_EQ(particle[i][size_t(k)], nearest_half(sum[i][k])) << i;
+        ASSERT_GE(surface[i][size_t(k)], half_bits(half_at_most(sum[i][k]))) << i;
+        ASSERT_LE(surface[i][size_t(k)], half_bits(half_at_least(sum[i][k]))) << i;
+      }
+    EXPECT_GT((std::set<Texel>(surface.begin(), surface.end()).size()), 500u) << "the same everywhere tells nothing";
+  }
+}
+
+// ---- The sum of resolve, in float as its README orders it ----
 
 using resolve::ResolveParams;
 

@@ -11,11 +11,6 @@ namespace assay::tests {
 
 namespace {
 
-std::string text_from(const char* variable) {
-  const char* value = std::getenv(variable);
-  return value ? value : "";
-}
-
 device::Validation validation_named(const std::string& name) {
   if (name.empty() || name == "off") return device::Validation::off;
   if (name == "core") return device::Validation::core;
@@ -38,6 +33,11 @@ int report_messages() {
 }
 
 }  // namespace
+
+std::string text_from(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value ? value : "";
+}
 
 const device::Options& device_options() {
   static const device::Options options{text_from("ASSAY_DEVICE"), validation_named(text_from("ASSAY_VALIDATION"))};

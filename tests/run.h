@@ -17,7 +17,8 @@ const device::Options& device_options();
 device::Handle& device();
 const Kernel& planted(const std::string& name);
 std::vector<std::string> kernel_names();
-// A number from the environment, for sizes that differ between a developer's run and a nightly one.
+// From the environment, for what differs between a developer's run and a nightly one; empty where unset.
+std::string text_from(const char* variable);
 uint32_t number_from(const char* variable, uint32_t otherwise);
 
 }  // namespace assay::tests

@@ -126,7 +126,7 @@ void judge_default(KernelRun& run) {
 }
 
 void finish(KernelRun& run) {
-  if (run.options.variant.empty()) {  // the limit is of all variants together
+  if (run.options.variant.empty() && !run.options.defaults) {  // the limit is of all variants together
     judge_undecided(run, {run.of_typical}, "the typical input");
     if (run.of_trials.size() >= kTellingTrials) judge_undecided(run, run.of_trials, "random trials");
   }

@@ -17,6 +17,7 @@ using Tell = std::function<void(const std::string& what, uint64_t done, uint64_t
 struct Options {
   std::vector<std::string> kernels = {};  // empty: all
   std::string variant = {};               // name or label; empty: all
+  bool defaults = false;                  // only each kernel's default variant
   std::string case_name = {};  // a hard case, `typical`, a fixture of the kernel, or a path to a case file; empty: all
   std::optional<uint64_t> seed = {};  // of the first random trial; given, nothing but the trials runs
   uint32_t trials = 50;

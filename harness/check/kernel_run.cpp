@@ -26,6 +26,7 @@ KernelRun start(Session session, const Options& options, const Kernel& kernel) {
   KernelRun run{session, options, kernel, {.name = kernel.name}, {}};
   for (const Variant& variant : kernel.variants) {
     if (!is_selected(variant, options.variant)) continue;
+    if (options.defaults && variant.name != kernel.default_variant) continue;
     VariantState state{&variant, device::combinations(variant), {.name = variant.name, .baseline = variant.baseline}};
     if (!options.variant.empty() && options.variant != variant.name) {
       state.result.name = options.variant;

@@ -89,8 +89,9 @@ void add_check(CLI::App& app, Action& action) {
        "assay check visibility --seed 17            one trial, as a failure prints it",
        "assay check --json out/check.json --validation sync"});
   command->add_option("kernels", f->options.kernels, "Only these; all by default")->type_name("KERNEL");
-  command->add_option("--variant", f->options.variant,
-                      "Only this variant, by name or with its constants, as in reduce[WIDTH=4]");
+  auto* variant = command->add_option("--variant", f->options.variant,
+                                      "Only this variant, by name or with its constants, as in reduce[WIDTH=4]");
+  command->add_flag("--defaults", f->options.defaults, "Only each kernel's default variant")->excludes(variant);
   command->add_option("--case", f->options.case_name,
                       "Only this hard case, fixture or case file, or the typical input; no random trials");
   auto* seed =

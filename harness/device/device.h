@@ -78,6 +78,8 @@ Handle open(const Options&);  // throws NoSuchDevice, Error
 const Info& info(const Device&);
 // Of the pipeline cache that an earlier run left on disk; 0: there was none that fits.
 size_t loaded_cache_bytes(const Device&);
+// Pipelines made since it was opened; they live as long as it does.
+size_t pipeline_count(const Device&);
 // Messages of the validation layer since the last call, one line each. Any is a failure of the test that caused it.
 std::vector<std::string> validation_messages(Device&);
 // Why the variant cannot run here ("needs forward_progress", "subgroup width 8 outside 16..64"); empty if it can.

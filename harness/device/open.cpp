@@ -166,6 +166,7 @@ Handle open(const Options& options) {
 
 const Info& info(const Device& d) { return d.physical.info; }
 size_t loaded_cache_bytes(const Device& d) { return d.loaded_cache_bytes; }
+size_t pipeline_count(const Device& d) { return d.pipelines.size(); }
 
 std::vector<std::string> validation_messages(Device& d) {
   const std::lock_guard lock(d.instance->messages.mutex);

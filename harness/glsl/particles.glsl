@@ -18,4 +18,6 @@ uint rect_word(uvec2 corner, uint size) {
 
 // Of a texel of a rectangle, where its centre is on the quad, along right and up: -1 to 1. Exact.
 vec2 place_on_quad(uvec2 texel, uint side) { return vec2(2u * texel + 1u) / float(side) - 1.0; }
+
+vec3 particle_position(ParticleRecord p, vec2 at) { return p.centre + p.right * at.x + p.up * at.y; }
 #endif

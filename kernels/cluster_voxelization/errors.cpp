@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <bit>
-#include <map>
 
+#include "harness/known.h"
 #include "kernels/cluster_voxelization/inputs.h"
 
 namespace assay::cluster_voxelization {
@@ -47,19 +47,12 @@ double goal_of(const Variant& v, const Case& c) {
   return 0;
 }
 
-// The same for all variants, and the most of the work.
-uint64_t touching_pairs_of_class(const Case& c) {
-  static std::map<std::string, uint64_t> known;
-  const auto [at, is_new] = known.try_emplace(c.name, 0);
-  if (is_new) at->second = touching_pairs(c);
-  return at->second;
-}
-
 std::vector<Figure> figures(const Variant& v, const Case& c, const std::map<std::string, Bytes>& written) {
   const Bytes& bytes = written.at("light_bits");
   uint64_t listed = 0;
   for (const std::byte b : bytes) listed += static_cast<uint64_t>(std::popcount(std::to_integer<unsigned>(b)));
-  const uint64_t touching = touching_pairs_of_class(c);
+  static Known<uint64_t> known;
+  const uint64_t touching = known.at(c.name, [&] { return touching_pairs(c); });
   const double items = item_counts(c).lights, listed_pairs = static_cast<double>(listed),
                pairs = static_cast<double>(touching);
   return {{"cells an item", pairs / items, 0}, {"listed / touching", listed_pairs / pairs, goal_of(v, c)}};

@@ -1,6 +1,6 @@
 // What every variant binds, and all of a texel but its loop over the lights and its encoding. SHADOWED: lights with
 // views in the shadow atlas shed what it lets through.
-#include "harness/glsl/lighting.glsl"
+#include "harness/glsl/particle_surface.glsl"
 #include "harness/glsl/particles.glsl"
 #include "harness/glsl/ports.glsl"
 #include "harness/glsl/radiance_encodings.glsl"
@@ -78,20 +78,6 @@ struct Lit {
 
 bool is_within(vec3 v) { return all(lessThanEqual(abs(v), vec3(kMostReach))); }  // no NaN is
 
-// Of the quad's plane, towards the eye; 0 of a quad that has none.
-vec3 normal_of(ParticleRecord p) {
-#ifdef MUTANT_3  // of small quads, shorter than 1
-  const vec3 n = unit_or_shorter(cross(p.right, p.up));
-#else
-  const vec3 n = unit_or_shorter(cross(unit_or_shorter(p.right), unit_or_shorter(p.up)));
-#endif
-#ifdef MUTANT_4  // whichever way the axes go round
-  return n;
-#else
-  return dot(n, p.centre) > 0.0 ? -n : n;
-#endif
-}
-
 Lit start(Texel t) {
   ParticleRecord p = particles[t.particle];
   if (!is_within(p.centre) || !is_within(p.right) || !is_within(p.up))
@@ -101,11 +87,8 @@ Lit start(Texel t) {
 #else
   const vec2 at = place_on_quad(t.in_rect, t.side);
 #endif
-  const vec3 position = p.centre + p.right * at.x + p.up * at.y;
   Lit lit;
-  // White and rough; half of the light from behind comes through.
-  lit.surface = make_surface(position, normal_of(p), -unit_or_shorter(position), vec3(1.0), 0.0, 1.0,
-                             kFeatureSubsurface);
+  lit.surface = particle_surface(p, particle_position(p, at));
 #ifdef MUTANT_6  // no ambient light
   lit.radiance = vec3(0.0);
 #else

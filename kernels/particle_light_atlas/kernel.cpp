@@ -128,8 +128,8 @@ std::vector<Variant> variants() {
 std::vector<Mutant> mutants() {
   return {{"common.glsl", 1, "the last block is left out", "one_particle"},
           {"common.glsl", 2, "blocks that the rectangle does not have", "garbage_words"},
-          {"common.glsl", 3, "the normals of small quads are short", "tiny_particle"},
-          {"common.glsl", 4, "normals whichever way the axes go round", "many_blocks"},
+          {"harness/glsl/particle_surface.glsl", 9841, "the normals of small quads are short", "tiny_particle"},
+          {"harness/glsl/particle_surface.glsl", 9842, "normals whichever way the axes go round", "many_blocks"},
           {"common.glsl", 5, "a texel's corner for its centre", "one_particle"},
           {"common.glsl", 6, "no ambient light", "no_light"},
           {"common.glsl", 7, "for the direction all lights count the same", "two_lights"},

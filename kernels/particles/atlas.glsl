@@ -1,4 +1,5 @@
 // A particle's light out of the atlas; of one that has no rectangle ambient light alone.
+#include "harness/glsl/particle_surface.glsl"
 #include "harness/glsl/particles.glsl"
 #include "kernels/particles/fragment.glsl"
 

@@ -3,6 +3,7 @@
 #define PARTICLES_COMMON
 #include "harness/formats/particle.h"
 #include "harness/glsl/lighting.glsl"
+#include "harness/glsl/particles.glsl"
 #include "harness/glsl/ports.glsl"
 #include "kernels/particles/layout.h"
 
@@ -22,14 +23,6 @@ bool is_drawn(ParticleRecord p) {
          largest(p.right) >= kSmallest && largest(p.up) >= kSmallest && all_within(p.albedo, kGreatestRadiance) &&
          p.opacity >= kLeastShown && p.quality >= kLeastShown && abs(p.softness) <= kFarthest;
 #endif
-}
-
-vec3 particle_position(ParticleRecord p, vec2 at) { return p.centre + p.right * at.x + p.up * at.y; }
-// White, rough, light passes through; seen from either side.
-Surface particle_surface(ParticleRecord p, vec3 position) {
-  const vec3 normal = unit_or_shorter(cross(unit_or_shorter(p.right), unit_or_shorter(p.up)));
-  return make_surface(position, dot(normal, p.centre) > 0.0 ? -normal : normal, -unit_or_shorter(position), vec3(1.0),
-                      0.0, 1.0, kFeatureSubsurface);
 }
 
 vec2 corner(uint i) { return vec2(i == 1u || i == 2u ? 1.0 : -1.0, i >= 2u ? 1.0 : -1.0); }

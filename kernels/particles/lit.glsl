@@ -1,4 +1,5 @@
 // Ambient light and that of every record. Loop turns of an invocation: 32,768.
+#include "harness/glsl/particle_surface.glsl"
 READS(5, LightRecord, lights);
 
 vec3 lit(ParticleRecord p, vec3 position) {
