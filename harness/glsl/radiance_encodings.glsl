@@ -12,7 +12,4 @@
 uint encode_radiance(vec3 radiance, uint encoding) {
   return encoding == kLightRgb9e5 ? encode_shared_exponent(radiance) : encode_r11g11b10(radiance);
 }
-vec3 decode_radiance(uint code, uint encoding) {
-  return encoding == kLightRgb9e5 ? decode_shared_exponent(code) : decode_r11g11b10(code);
-}
 #endif
