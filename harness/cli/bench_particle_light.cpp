@@ -81,9 +81,10 @@ void add_bench_particle_light(CLI::App& bench, Action& action) {
   auto f = std::make_shared<Flags>();
   CLI::App* command = subcommand(
       bench, "particle-light", "How particles may be lit: error against time, and time against the frame's size",
-      "Ways: each filter, encoding and resolution of the light atlas, the particle's corners, every pixel; under smooth\n"
-      "light, a light close by and the edge of a shadow. Their time is that of the particle's pixels and of its texels,\n"
-      "under equal lights. Sizes: the passes of a frame that concern particles, and how many texels they light.",
+      "Ways: each filter, encoding and resolution of the light atlas, the particle's corners, every pixel; under\n"
+      "smooth light, a light close by and the edge of a shadow. Their time is that of the particle's pixels and of\n"
+      "its texels, under equal lights. Sizes: the passes of a frame that concern particles, and how many texels\n"
+      "they light.",
       {"assay bench particle-light", "assay bench particle-light --all --json out/particle_light.json",
        "assay bench particle-light --only ways --encoding rgb9e5 --side 16 --pixels 64",
        "assay bench particle-light --only sizes --scene default --size 1280x720 --size 3840x2160"});
