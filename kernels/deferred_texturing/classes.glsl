@@ -27,47 +27,11 @@ struct Layer {
 
 vec4 sampled(uint name, Footprint f) { return texture_with_gradients(name, f.uv, f.d_dx, f.d_dy); }
 
-// The texture that a class reads beside its layers': the detail, at its own scale, or the mask.
-struct Extra {
-  uint name;  // kNoTexture where the class has none
-  Footprint at;
-};
-Extra extra_of(uint shader, MaterialRecord m, Footprint f) {
-  const bool is_detail = shader == kShaderEmissiveDetail || shader == kShaderCloth;
-  if (!is_detail && shader != kShaderTwoLayer && shader != kShaderSkin && shader != kShaderWet)
-    return Extra(kNoTexture, f);
-#if !(defined(HAS_EMISSIVE_DETAIL) || defined(HAS_CLOTH)) || defined(MUTANT_11)  // the detail's scale is forgotten
-  const float scale = 1.0;
-#else
-  const float scale = is_detail ? m.detail_scale : 1.0;
-#endif
-  return Extra(is_detail ? m.detail_texture : m.mask_texture,
-               footprint(scale * f.uv, scale * f.d_dx, scale * f.d_dy));
-}
-
-// glTF 2.0's metallic-roughness material; the normal's z is derived. Its textures and `extra` are read in a loop, which
-// holds the code of a fetch once: sixteen slots, six times over, take LLVM three times as long to compile.
-Layer layer_of(MaterialRecord m, Footprint f, Extra extra, out vec4 extra_texel) {
-  vec4 surface, base, emissive, occlusion, normal;
-  extra_texel = vec4(1);
-  const uint end = m.normal_texture == kNoTexture ? 5u : 6u;
-  for (uint i = extra.name == kNoTexture ? 1u : 0u; i < end; ++i) {
-    const uint name = i == 0u   ? extra.name
-                      : i == 1u ? m.metallic_roughness_texture
-                      : i == 2u ? m.base_texture
-                      : i == 3u ? m.emissive_texture
-                      : i == 4u ? m.occlusion_texture
-                                : m.normal_texture;
-    const vec4 texel = sampled(name, i == 0u ? extra.at : f);
-    extra_texel = i == 0u ? texel : extra_texel;
-    surface = i == 1u ? texel : surface;
-    base = i == 2u ? texel : base;
-    emissive = i == 3u ? texel : emissive;
-    occlusion = i == 4u ? texel : occlusion;
-    normal = texel;
-  }
+// glTF 2.0's metallic-roughness material; the normal's z is derived.
+Layer layer_of(MaterialRecord m, Footprint f) {
+  const vec4 surface = sampled(m.metallic_roughness_texture, f);
   Layer l;
-  l.base = m.base_colour.rgb * base.rgb;
+  l.base = m.base_colour.rgb * sampled(m.base_texture, f).rgb;
 #ifdef MUTANT_8  // metallic and roughness change places
   l.roughness = m.roughness * surface.b;
   l.metallic = m.metallic * surface.g;
@@ -76,16 +40,16 @@ Layer layer_of(MaterialRecord m, Footprint f, Extra extra, out vec4 extra_texel)
   l.metallic = m.metallic * surface.b;
 #endif
   l.height = surface.a;
-  l.emissive = m.emissive * emissive.rgb;
+  l.emissive = m.emissive * sampled(m.emissive_texture, f).rgb;
 #ifdef MUTANT_9  // the strength is a factor
-  l.occlusion = m.occlusion_strength * occlusion.r;
+  l.occlusion = m.occlusion_strength * sampled(m.occlusion_texture, f).r;
 #else
   const float strength = m.occlusion_strength > 0.0 ? min(m.occlusion_strength, 1.0) : 0.0;  // NaN is 0
-  l.occlusion = 1.0 + strength * (occlusion.r - 1.0);
+  l.occlusion = 1.0 + strength * (sampled(m.occlusion_texture, f).r - 1.0);
 #endif
   l.normal = vec3(0, 0, 1);
   if (m.normal_texture != kNoTexture) {
-    const vec2 xy = 2.0 * normal.rg - 1.0;
+    const vec2 xy = 2.0 * sampled(m.normal_texture, f).rg - 1.0;
 #ifdef MUTANT_10  // z is scaled too
     l.normal = m.normal_scale * vec3(xy, sqrt(max(1.0 - dot(xy, xy), 0.0)));
 #else
@@ -93,6 +57,19 @@ Layer layer_of(MaterialRecord m, Footprint f, Extra extra, out vec4 extra_texel)
 #endif
   }
   return l;
+}
+
+// The one texture that a class reads beside its layers': the detail, at its own scale, or the mask.
+vec4 extra_of(uint shader, MaterialRecord m, Footprint f) {
+  const bool is_detail = shader == kShaderEmissiveDetail || shader == kShaderCloth;
+  if (!is_detail && shader != kShaderTwoLayer && shader != kShaderSkin && shader != kShaderWet) return vec4(1);
+#if !(defined(HAS_EMISSIVE_DETAIL) || defined(HAS_CLOTH)) || defined(MUTANT_11)  // the detail's scale is forgotten
+  const float scale = 1.0;
+#else
+  const float scale = is_detail ? m.detail_scale : 1.0;
+#endif
+  return sampled(is_detail ? m.detail_texture : m.mask_texture,
+                 footprint(scale * f.uv, scale * f.d_dx, scale * f.d_dy));
 }
 
 #ifdef HAS_TWO_LAYER
@@ -195,20 +172,15 @@ Layer layer_of_class(uint shader, MaterialRecord m, Footprint f, uint surface) {
   // A loop, of one turn or two, that holds the code of a layer once.
   Layer l, top;
   MaterialRecord record = m;
-  Extra wanted = extra_of(shader, m, f);
-  vec4 extra;
   for (uint i = 0u; i < (has_top ? 2u : 1u); ++i) {
-    vec4 texel;
-    top = layer_of(record, f, wanted, texel);
-    wanted.name = kNoTexture;
+    top = layer_of(record, f);
     if (i == 0u) l = top;
-    if (i == 0u) extra = texel;
     if (has_top) record = materials[m.layer];
   }
 #else
-  vec4 extra;
-  Layer l = layer_of(m, f, extra_of(shader, m, f), extra);
+  Layer l = layer_of(m, f);
 #endif
+  const vec4 extra = extra_of(shader, m, f);
   switch (shader) {
 #ifdef HAS_TWO_LAYER
     case kShaderTwoLayer:
