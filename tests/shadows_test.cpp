@@ -132,6 +132,18 @@ TEST(Shadows, CastersLieInTheRangesOfTheirTiles) {
   EXPECT_LT(n.draw_first[kShadowMoving], n.draw_first[kShadowDraws]) << "something moves";
 }
 
+TEST(Shadows, SpotsThatATileCannotHoldAreNamed) {
+  const auto are_named = [](float outer_rad) {
+    Scene s = small();
+    for (Light& l : s.lights)
+      if (l.casts_shadows && l.kind == LightKind::spot) l.outer_rad = outer_rad;
+    return std::ranges::any_of(gathered(s).notes,
+                               [](const std::string& n) { return n.find("wider than 80") != n.npos; });
+  };
+  EXPECT_FALSE(are_named(1.39f));
+  EXPECT_TRUE(are_named(1.5f));
+}
+
 // What the viewer does not see casts shadows all the same.
 TEST(Shadows, CastersOutsideTheViewAreThere) {
   Scene s = small();

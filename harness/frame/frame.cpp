@@ -266,6 +266,8 @@ const std::vector<std::string>& view_names() {
   return names;
 }
 
+std::string default_view() { return view_names().empty() ? "" : view_names().front(); }
+
 void require(const Options& o) {
   require_size(o.size);
   require_clusters(o.clusters);

@@ -22,10 +22,11 @@ namespace assay::frame {
 // What a frame can show: lit, the picture itself, and the debug views of formats/debug_view.h; those that the registry
 // has kernels for. The first is the default.
 const std::vector<std::string>& view_names();
+std::string default_view();  // the first of them; empty where the kernels built draw none
 
 struct Options {
   Extent size = {1280, 720};  // 1x1 to 16384x16384; what the device's buffers hold (8.4 Mpx on lavapipe)
-  std::string view = view_names().front();
+  std::string view = default_view();
   std::map<std::string, std::string> variants =
       {};                    // kernel -> variant or label ("visibility" -> "slim"); else default
   float exposure_stops = 0;  // brighter than the automatic exposure

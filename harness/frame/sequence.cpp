@@ -33,7 +33,7 @@ Drawn render_sequence(device::Device& d, const scene::Scene& scene, const scene:
   for (uint32_t frame = 0; frame < s.frames; ++frame) {
     const bool is_last = frame + 1 == s.frames;
     options.frame = frame;
-    options.view = is_last ? asked.view : view_names().front();
+    options.view = is_last ? asked.view : default_view();
     options.goals = is_last ? asked.goals : std::vector<std::string>{};
     options.keep_shadows = asked.keep_shadows || !is_last;
     if (frame == s.cut) options.history = {};

@@ -185,6 +185,13 @@ void append_shadows(const Scene& scene, const Camera& camera, Extent extent, con
       wishes.push_back(*wish);
     }
   }
+  const auto is_too_wide = [&](const TileWish& wish) {
+    const Light& light = scene.lights[wish.light];
+    return light.kind == LightKind::spot && light.outer_rad > kWidestSpot_rad;
+  };
+  if (const auto wide = std::ranges::count_if(wishes, is_too_wide))
+    to.notes.push_back(
+        fmt::format("{} spots are wider than 80 degrees: what they shine on beyond has no shadow", wide));
   const Packing packing = pack_tiles(wishes, packing_of(request.before));
   note(packing, to);
   const bool is_kept = packing.width == request.before.width && packing.height == request.before.height;

@@ -11,8 +11,7 @@ namespace {
 
 // The widest filter reaches 4 texels past a point, 7 taps' half and one for the bilinear share.
 constexpr double kFilterReach_texels = 4;
-constexpr uint32_t kMostSide = 1024;           // of a spot or a point light
-constexpr double kWidestSpot_rad = 1.3962634;  // 80 degrees: what a cone shines on beyond has no shadow
+constexpr uint32_t kMostSide = 1024;  // of a spot or a point light
 constexpr double kFirstCascade_m = 3, kMostCascades_m = 100;
 constexpr double kSnapShare = 1.0 / 16;  // of a cascade's side: its middle moves in steps of that, and is kept between
 

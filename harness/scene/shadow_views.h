@@ -7,6 +7,8 @@
 
 namespace assay::scene {
 
+constexpr double kWidestSpot_rad = 1.3962634;  // 80 degrees: what a cone shines on beyond has no shadow
+
 // World coordinates to the clip space of a tile, as ShadowCaster's rows.
 struct LightView {
   glm::dvec4 x, y, z, w;
