@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "harness/frame/sequence.h"
 #include "harness/oracle.h"
@@ -46,6 +47,34 @@ TEST(FrameShadows, NothingOfThemIsThereWithoutThem) {
   Options none = options;
   none.shadows = false;
   EXPECT_EQ(draw(without, options).image.texels, draw(s, none).image.texels);
+}
+
+TEST(FrameShadows, TheirViewShowsTheAtlas) {
+  const scene::Scene s = scene::small();
+  const Options options = {.size = {320, 180}, .view = "shadows", .keep_shadows = true, .warm_up = false};
+  const Result r = draw(s, options);
+  const size_t wide = r.shadow_cache.width, high = r.shadow_cache.height;
+  ASSERT_EQ(wide, 2 * high) << "the picture's width is filled";
+  const auto atlas = words<float>(r.downloads.at(kAtlas));
+  const auto image = words<uint32_t>(r.downloads.at("debug_view.image"));
+  const uint32_t beyond = image[179 * 320];
+  std::set<uint32_t> colours;
+  for (size_t y = 0; y < 180; ++y)
+    for (size_t x = 0; x < 320; ++x) {
+      const uint32_t colour = image[y * 320 + x];
+      if (y >= 160) {
+        ASSERT_EQ(colour, beyond);
+        continue;
+      }
+      colours.insert(colour);
+      if (atlas[y * high / 160 * wide + x * wide / 320] > 0) {
+        ASSERT_NE(colour, beyond) << x << " " << y;
+      }
+    }
+  EXPECT_GT(colours.size(), 20u);
+  Options none = options;
+  none.shadows = false;
+  EXPECT_THROW(draw(s, none), std::invalid_argument);
 }
 
 TEST(FrameShadows, AStillSequenceDrawsItsTilesOnce) {

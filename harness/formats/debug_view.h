@@ -13,7 +13,8 @@ SHARED_CONST uint kViewWave = 5u;      // a colour a wave of the pixel lists
 SHARED_CONST uint kViewClusters = 6u;  // how many items the cell of a pixel lists
 SHARED_CONST uint kViewRate = 7u;      // how coarsely the cell of a pixel may be shaded
 SHARED_CONST uint kViewPrimary = 8u;   // which pixels are shaded, and which copy them
-SHARED_CONST uint kViewCount = 9u;
+SHARED_CONST uint kViewShadows = 9u;   // the shadow atlas: a colour a tile, brighter nearer to the light
+SHARED_CONST uint kViewCount = 10u;
 
 // Places of the colours of these two.
 SHARED_CONST uint kColour1x1 = 0u;

@@ -28,6 +28,9 @@ struct View {
   bool of_rates = false;  // that must vary
 };
 constexpr const char* kDebugImage = "debug_view.image";
+// Of the shadow atlas, for a next frame.
+constexpr const char* kShadowStill = "shadow_atlas.still";
+constexpr const char* kShadowDepth = "shadow_atlas.depth";
 constexpr View kViews[] = {
     {"lit", "resolve.image", kViewCount, "resolve.image"},
     {"material", kDebugImage, kViewMaterial, kDebugImage},
@@ -39,6 +42,7 @@ constexpr View kViews[] = {
     {"workload", kDebugImage, kViewWorkload, "tile_classification.workload_tiles"},
     {"rate", kDebugImage, kViewRate, kRates, true},
     {"primary", kDebugImage, kViewPrimary, kCopyBits, true},
+    {"shadows", kDebugImage, kViewShadows, kShadowDepth},
 };
 constexpr const char* kListStatus = "cluster_lists.list_status";
 // The picture before it is exposed, the one that is shown first.
@@ -48,9 +52,6 @@ constexpr const char* kLuma = "vrcs_deblock.luma";
 constexpr const char* kBlendedLuma = "blended_luma.luma";  // the same image, after particles
 constexpr const char* kParticleRects = "particle_rects.rects";
 constexpr const char* kExposure = "resolve.exposure";
-// Of the shadow atlas, for a next frame.
-constexpr const char* kShadowStill = "shadow_atlas.still";
-constexpr const char* kShadowDepth = "shadow_atlas.depth";
 // Beside the goals: what legends, statistics and layers are made of.
 constexpr const char* kDownloads[] = {"visibility.visibility",
                                       "visibility.depth",

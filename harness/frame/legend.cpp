@@ -214,6 +214,17 @@ std::vector<Row> primary_rows(const Looking& l) {
   return rows;
 }
 
+std::vector<Row> shadow_rows(const Looking& l) {
+  const ShadowCounts& n = l.gathered.shadow_counts;
+  uint64_t texels = 0;
+  for (const ShadowView& v : l.gathered.shadow_views) texels += uint64_t{v.tile.side} * v.tile.side;
+  return {{0x808080,
+           fmt::format("a colour a tile, brighter nearer to the light: {} tiles of {} lights, {} of {}x{} texels",
+                       n.views, l.gathered.shadow_statistics.lights, l.share(texels, uint64_t{n.width} * n.height),
+                       n.width, n.height),
+           1}};
+}
+
 std::vector<Row> lit_rows(const Looking& l) {
   std::vector<Row> rows = {
       {0xffffff,
@@ -297,6 +308,8 @@ std::vector<Row> rows_of(const Looking& l, uint32_t view) {
       return rate_rows(l);
     case kViewPrimary:
       return primary_rows(l);
+    case kViewShadows:
+      return shadow_rows(l);
     default:
       return lit_rows(l);
   }

@@ -92,9 +92,10 @@ Case random_case(Random& r) {
                                 {"view_clusters", 1},
                                 {"view_rate", 1},
                                 {"view_primary", 1},
+                                {"view_shadows", 1},
                                 {"view_unknown", 0.2}});
-  const uint32_t views[] = {kViewMaterial, kViewTriangle, kViewTile, kViewWorkload, kViewShader,
-                            kViewWave,     kViewClusters, kViewRate, kViewPrimary,  77};
+  const uint32_t views[] = {kViewMaterial, kViewTriangle, kViewTile,    kViewWorkload, kViewShader, kViewWave,
+                            kViewClusters, kViewRate,     kViewPrimary, kViewShadows,  77};
   Picture p = empty_picture(extent, views[view], 1 + r.rng.below(200), 1 + r.rng.below(40));
   for (uint32_t& c : p.material_colours) c = r.rng.next();
   for (uint32_t& m : p.masks) m = r.rng.below(5) ? r.rng.next() & r.rng.next() & r.rng.next() : 0;
@@ -118,6 +119,7 @@ Case random_case(Random& r) {
   if (p.view == kViewWave) add_waves(p, r.rng, 1 + r.rng.below(kShaderClasses));
   if (p.view == kViewClusters) add_cells(p, r.rng, 1u << r.rng.below(9));
   if (p.view == kViewRate || p.view == kViewPrimary) add_vrcs(p, r.rng);
+  if (p.view == kViewShadows) add_shadows(p, r.rng, {32u << r.rng.below(5), 32u << r.rng.below(5)});
   Case c = to_case(p);
   c.name = "random";
   return c;
@@ -126,8 +128,8 @@ Case random_case(Random& r) {
 std::vector<std::string> branches() {
   std::vector<std::string> all = kExtentBranches;
   for (const char* b : {"view_material", "view_triangle", "view_tile", "view_workload", "view_shader", "view_wave",
-                        "view_clusters", "view_rate", "view_primary", "view_unknown", "indices_in_range",
-                        "indices_out_of_range", "lists_none", "lists_partition", "lists_hostile"})
+                        "view_clusters", "view_rate", "view_primary", "view_shadows", "view_unknown",
+                        "indices_in_range", "indices_out_of_range", "lists_none", "lists_partition", "lists_hostile"})
     all.push_back(b);
   return all;
 }
@@ -275,6 +277,24 @@ std::vector<HardCase> hard_cases() {
       {"rates", "every rate and unknown ones; an odd extent, whose last cells are cut", vrcs({101, 67}, kViewRate)},
       {"primaries", "copy bits and tiles of every kind, of 223 to 226 primaries; partial tiles on both edges",
        vrcs({169, 90}, kViewPrimary)},
+      {"shadows", "an atlas wider than the picture; tiles of all sizes with gaps, depths of every doubling",
+       [] {
+         Picture p = busy_picture({150, 130}, kViewShadows);
+         Pcg32 rng(8);
+         add_shadows(p, rng, {256, 128});
+         return to_case(p);
+       }},
+      {"tall_atlas", "an atlas higher than the picture, of less than a texel a pixel",
+       [] {
+         Picture p = busy_picture({301, 200}, kViewShadows);
+         Pcg32 rng(9);
+         add_shadows(p, rng, {32, 64});
+         return to_case(p);
+       }},
+      {"no_atlas", "the shadows view without any light that casts one",
+       [] {
+         return to_case(busy_picture({33, 31}, kViewShadows));
+       }},
       {"no_shader", "the shader and wave views of a scene without any",
        [] {
          Picture p = busy_picture({33, 31}, kViewWave);
@@ -335,7 +355,8 @@ Case in_frame(const FrameInputs& f) {
   Case c = {.name = "frame", .extent = f.extent};
   const auto rows = static_cast<uint32_t>(std::size(kFrameWorkloads));
   c.set_params(ViewParams{f.extent.width, f.extent.height, f.view, f.scene.surfaces, f.scene.materials, rows,
-                          static_cast<uint32_t>(f.shaders.size()), f.grid});
+                          static_cast<uint32_t>(f.shaders.size()), f.grid, f.shadows.width, f.shadows.height,
+                          f.shadows.views});
   std::vector<uint32_t> shader_colours;
   for (const uint32_t shader : f.shaders) shader_colours.push_back(shader_palette(kShaderClasses)[shader]);
   c.set_input("shader_colours", shader_colours);

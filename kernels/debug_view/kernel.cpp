@@ -12,7 +12,8 @@ uint32_t view_of(const Case& c) { return c.params<ViewParams>().view; }
 // The views that need more than the visibility have a pass of their own, and its inputs are bound for that view alone.
 bool has_own_pass(const Case& c) {
   const uint32_t view = view_of(c);
-  return view == kViewTile || view == kViewShader || view == kViewClusters || view == kViewRate || view == kViewPrimary;
+  return view == kViewTile || view == kViewShader || view == kViewClusters || view == kViewRate ||
+         view == kViewPrimary || view == kViewShadows;
 }
 Dispatch for_view(const char* shader, uint32_t view) {
   return {.shader = shader, .groups = [view](const Case& c) { return view_of(c) == view ? per_pixel(c) : none(); }};
@@ -33,6 +34,12 @@ uint64_t shown_rows(const Case& c) { return view_of(c) == kViewWave ? command_ro
 Extent shown_rates(const Case& c) { return view_of(c) == kViewRate ? tiles_of(c.extent, kCellSide) : Extent{1, 1}; }
 Extent shown_copies(const Case& c) { return view_of(c) == kViewPrimary ? c.extent : Extent{1, 1}; }
 uint64_t shown_tiles(const Case& c) { return view_of(c) == kViewPrimary ? tile_count(c.extent, kVrcsTileSide) : 0; }
+Extent shown_atlas(const Case& c) {
+  const auto p = c.params<ViewParams>();
+  return p.view == kViewShadows && p.shadow_width && p.shadow_height ? Extent{p.shadow_width, p.shadow_height}
+                                                                     : Extent{1, 1};
+}
+uint64_t shown_shadows(const Case& c) { return view_of(c) == kViewShadows ? c.params<ViewParams>().shadow_views : 0; }
 Port sized(Port port, Extent (*extent)(const Case&)) {
   port.extent = extent;
   return port;
@@ -55,6 +62,8 @@ uint64_t bytes_of_view(const Case& c) {
       return scene + pixel_count(shown_rates(c)) + kVrcsColours * sizeof(uint32_t);
     case kViewPrimary:
       return scene + pixels(c) + (shown_tiles(c) + kVrcsColours) * sizeof(uint32_t);
+    case kViewShadows:
+      return pixel_count(shown_atlas(c)) * sizeof(float) + shown_shadows(c) * sizeof(ShadowView);
     case kViewWorkload:
       return scene + list_entries(c) * sizeof(uint32_t) +
              workloads(c) * (sizeof(WorkloadCount) + sizeof(DispatchArgs) + sizeof(uint32_t));
@@ -81,6 +90,7 @@ std::vector<Pass> passes(const char* shader, Groups (*groups)(const Case&)) {
       for_view("clusters.comp", kViewClusters),
       for_view("rate.comp", kViewRate),
       for_view("primary.comp", kViewPrimary),
+      for_view("shadows.comp", kViewShadows),
       Dispatch{.shader = "workload.comp", .indirect = "workload_args", .repeat = shown_workloads},
       Dispatch{.shader = "wave.comp", .indirect = "command_args", .repeat = shown_rows}};
 }
@@ -115,6 +125,8 @@ Kernel describe() {
                 sized(reads_image("copy_bits", Format::r8_uint, {"vrcs_coordinates.copy_bits"}), shown_copies),
                 reads<uint32_t>("vrcs_tiles", shown_tiles, {"vrcs_coordinates.tiles"}),
                 reads<uint32_t>("vrcs_colours", fixed(kVrcsColours)),
+                sized(reads_image("shadow_depth", Format::d32_float, {"shadow_atlas.depth"}), shown_atlas),
+                reads<ShadowView>("shadow_views", shown_shadows, {"scene.shadow_views"}),
                 writes<uint32_t>("image", pixels)},
       .variants = {{.name = "pixel", .passes = passes("pixel.comp", per_pixel), .note = "a thread a pixel"},
                    {.name = "run",
@@ -150,7 +162,11 @@ Kernel describe() {
                   {"rate.comp", 23, "a rate a pixel", "rates"},
                   {"primary.comp", 24, "partial tiles are not counted in a row", "primaries"},
                   {"primary.comp", 25, "224 primaries are all of a tile", "primaries"},
-                  {"primary.comp", 26, "whoever is copied by nobody is a duplicate", "primaries"}},
+                  {"primary.comp", 26, "whoever is copied by nobody is a duplicate", "primaries"},
+                  {"shadows.comp", 27, "doublings of depth alone", "shadows"},
+                  {"shadows.comp", 28, "the atlas over the whole picture", "shadows"},
+                  {"shadows.comp", 29, "a tile ends a texel late", "shadows"},
+                  {"shadows.comp", 30, "tiles share their colours", "shadows"}},
       .cost = cost,
       .typical = typical,
       .extents = {{256, 256}, {1280, 720}, {1920, 1080}, {3840, 2160}},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 
 #include "harness/oracle.h"
 #include "kernels/debug_view/layout.h"
@@ -133,7 +134,32 @@ struct View {
                 grey(v), 3);
   }
 
+  // Three quarters by the depth's logarithm, a colour a tile.
+  Colour shadow(uint32_t x, uint32_t y) const {
+    const uint64_t wide = params.shadow_width, high = params.shadow_height;
+    const bool fills_width = wide > 0 && params.width * high <= params.height * wide;
+    const uint64_t shown_x = fills_width ? params.width : high ? params.height * wide / high : 0;
+    const uint64_t shown_y = fills_width ? params.width * high / wide : params.height;
+    if (x >= shown_x || y >= shown_y || high == 0) return unpacked(kBackgroundColour);
+    const uint64_t at_x = x * wide / shown_x, at_y = y * high / shown_y;
+    const auto views = c.input<ShadowView>("shadow_views");
+    const auto found = std::ranges::find_if(views, [&](const ShadowView& v) {
+      const auto holds = [&](uint64_t at, uint64_t first) { return at >= first && at < first + v.tile.side; };
+      return holds(at_x, v.tile.x) && holds(at_y, v.tile.y);
+    });
+    if (found == views.end()) return unpacked(kBackgroundColour);
+    int exponent = 0;
+    const double fraction = std::frexp(c.input<float>("shadow_depth")[at_y * wide + at_x], &exponent);  // [0.5, 1)
+    const double code = fraction > 0 ? 32 * (exponent + 7) + std::floor((2 * fraction - 1) * 32) : 0;
+    Colour colour = random_colour(static_cast<uint32_t>(found - views.begin()) + 1);
+    for (uint32_t& channel : colour) channel += 64;
+    Colour dark = colour;
+    for (uint32_t& channel : dark) channel = channel * static_cast<uint32_t>(std::clamp(code, 0.0, 255.0)) / 255;
+    return over(dark, colour, 3);
+  }
+
   Colour at(uint32_t x, uint32_t y) const {
+    if (params.view == kViewShadows) return shadow(x, y);
     const uvec2 v = visibility[size_t{y} * params.width + x];
     if (params.view == kViewRate) return rate(x, y, v);
     if (params.view == kViewPrimary) return primary(x, y, v);

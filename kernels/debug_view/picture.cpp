@@ -83,11 +83,36 @@ void add_vrcs(Picture& p, Pcg32& rng) {
   }
 }
 
+void add_shadows(Picture& p, Pcg32& rng, Extent atlas) {
+  p.atlas = atlas;
+  for (uint64_t i = pixel_count(atlas); i > 0; --i) switch (rng.below(8)) {
+      case 0:
+        p.shadow_depth.push_back(0);
+        break;
+      case 1:
+        p.shadow_depth.push_back(1);
+        break;
+      case 2:
+        p.shadow_depth.push_back(std::ldexp(1.0f, -static_cast<int>(rng.below(12))));
+        break;
+      default:
+        p.shadow_depth.push_back(static_cast<float>(std::exp2(rng.range(-10, 0))));
+    }
+  constexpr uint32_t kCell = 32;  // a tile in each of these at most
+  for (uint32_t y = 0; y + kCell <= atlas.height; y += kCell)
+    for (uint32_t x = 0; x + kCell <= atlas.width; x += kCell)
+      if (rng.below(4)) {
+        const uint32_t side = 1 << rng.below(6);
+        p.shadow_tiles.push_back({x + rng.below(kCell / side) * side, y + rng.below(kCell / side) * side, side});
+      }
+}
+
 Case to_case(const Picture& p) {
   Case c = {.extent = p.extent};
   c.set_params(ViewParams{p.extent.width, p.extent.height, p.view, static_cast<uint32_t>(p.surface_materials.size()),
                           static_cast<uint32_t>(p.material_colours.size()), static_cast<uint32_t>(p.lists.size()),
-                          static_cast<uint32_t>(p.shader_colours.size()), p.grid});
+                          static_cast<uint32_t>(p.shader_colours.size()), p.grid, p.atlas.width, p.atlas.height,
+                          static_cast<uint32_t>(p.shadow_tiles.size())});
   std::vector<SurfaceRecord> surfaces(p.surface_materials.size());
   for (size_t i = 0; i < surfaces.size(); ++i) surfaces[i].material = p.surface_materials[i];
   std::vector<uint32_t> tiles, colours;
@@ -122,6 +147,10 @@ Case to_case(const Picture& p) {
   c.set_input("copy_bits", p.view != kViewPrimary ? std::vector<uint8_t>{0} : p.copy_bits);
   c.set_input("vrcs_tiles", p.view != kViewPrimary ? std::vector<uint32_t>() : p.vrcs_tiles);
   c.set_input("vrcs_colours", vrcs_palette());
+  std::vector<ShadowView> views(p.shadow_tiles.size());
+  for (size_t i = 0; i < views.size(); ++i) views[i].tile = p.shadow_tiles[i];
+  c.set_input("shadow_views", views);
+  c.set_input("shadow_depth", p.shadow_depth.empty() ? std::vector<float>{0} : p.shadow_depth);
   c.set_input("slice_edges", p.slice_edges.empty() ? std::vector<float>{0} : p.slice_edges);
   return c;
 }

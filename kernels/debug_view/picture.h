@@ -36,6 +36,10 @@ struct Picture {
   // Of the rate and the primary view.
   std::vector<uint8_t> rates = {}, copy_bits = {};
   std::vector<uint32_t> vrcs_tiles = {};
+  // Of the shadows view alone.
+  Extent atlas = {};
+  std::vector<float> shadow_depth = {};
+  std::vector<ShadowTile> shadow_tiles = {};
 
   uvec2& at(uint32_t x, uint32_t y) { return visibility[size_t{y} * extent.width + x]; }
   uint32_t tile_total() const { return static_cast<uint32_t>(tile_count(extent, kTileSide)); }
@@ -53,6 +57,8 @@ WaveLists wave_lists(Extent, uint32_t shaders, std::span<const uvec2> pixels, Pc
 void add_cells(Picture&, Pcg32&, uint32_t most);
 // Rates, the unknown among them, copy bits of all kinds, and tiles of every flag and count.
 void add_vrcs(Picture&, Pcg32&);
+// Depths of all kinds in an atlas of so many texels, and tiles of 1 to 32 texels in it that do not overlap.
+void add_shadows(Picture&, Pcg32&, Extent atlas);
 Case to_case(const Picture&);
 
 }  // namespace assay::debug_view
