@@ -23,7 +23,7 @@ namespace assay::device {
 struct Error : std::runtime_error {  // a failed call: expression, result name, file and line
   using std::runtime_error::runtime_error;
 };
-struct Lost : Error {  // VK_ERROR_DEVICE_LOST, or a fence not signalled within 60 s; open a fresh device
+struct Lost : Error {  // VK_ERROR_DEVICE_LOST, or a fence not signalled in time (run); open a fresh device
   using Error::Error;
 };
 struct OutOfMemory : Error {
@@ -179,7 +179,8 @@ struct Timing {
   double cpu_ns = 0;  // process CPU time from submit to the fence
   double wall_ns = 0;
 };
-// Records, submits and waits, 60 s at most. `queue` 1 is the second queue where there is one.
+// Records, submits and waits, 60 s at most; on a CPU, whose driver compiles a pipeline when it first runs, 60 s more
+// for each of these. `queue` 1 is the second queue where there is one.
 Timing run(Device&, std::span<const Command>, uint32_t queue = 0);
 
 // ---- Test hooks, present in builds with ASSAY_TESTS only
@@ -187,7 +188,7 @@ Timing run(Device&, std::span<const Command>, uint32_t queue = 0);
 
 // The next `after`-th checked call whose expression contains `call` returns `result` (a VkResult).
 void inject_failure(const std::string& call, int32_t result, uint32_t after = 0);
-// How long run() waits in place of 60 s.
+// How long run() waits in place of each 60 s.
 void set_fence_wait(std::chrono::nanoseconds);
 
 }  // namespace assay::device

@@ -57,7 +57,7 @@ void encode_indirect(Recorder& r, const Job& job, const Call& call) {
 }
 
 void encode_call(Recorder& r, const Job& job, const Call& call) {
-  vkCmdBindPipeline(r.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, call.pipeline->handle);
+  r.bind(VK_PIPELINE_BIND_POINT_GRAPHICS, *call.pipeline);
   bind_set(r, VK_PIPELINE_BIND_POINT_GRAPHICS, *call.pipeline, 0, call.vertex);
   bind_set(r, VK_PIPELINE_BIND_POINT_GRAPHICS, *call.pipeline, 1, call.fragment);
   if (job.commands) return encode_indirect(r, job, call);

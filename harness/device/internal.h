@@ -94,6 +94,7 @@ struct Queue {
   VkQueryPool queries = VK_NULL_HANDLE;
   uint32_t query_capacity = 0;
   DescriptorPools descriptors = {};
+  uint32_t first_runs = 0;  // pipelines of this submission that a CPU's driver has yet to compile: it does at first use
 };
 
 struct Buffer {
@@ -106,6 +107,7 @@ struct Pipeline {
   VkPipelineLayout layout = VK_NULL_HANDLE;
   std::vector<VkDescriptorSetLayout> sets = {};  // one a stage
   std::vector<const Reflection*> stages = {};    // what each set binds
+  mutable bool has_run = false;
 };
 
 class Device : public std::enable_shared_from_this<Device> {
@@ -201,13 +203,14 @@ class Recorder {
  public:
   Recorder(Device& d, Queue& q) : device(d), queue(q), commands(q.commands) {}
   VkDescriptorSet descriptor_set(VkDescriptorSetLayout);  // valid until the next submission to this queue
+  void bind(VkPipelineBindPoint, const Pipeline&);
   Device& device;
   Queue& queue;
   VkCommandBuffer commands;
 };
 
 void begin(Device&, Queue&);            // the queue's command buffer, empty, new images transitioned
-void submit_and_wait(Device&, Queue&);  // ends it; 60 s at most
+void submit_and_wait(Device&, Queue&);  // ends it; waits as long as device.h says
 void full_barrier(VkCommandBuffer, bool to_host = false);
 void submit_once(Device&, const std::function<void(VkCommandBuffer)>& record);
 

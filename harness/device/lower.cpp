@@ -84,7 +84,7 @@ struct DispatchJob {  // what one encoded dispatch needs
 };
 
 void encode_dispatch(Recorder& r, const DispatchJob& job) {
-  vkCmdBindPipeline(r.commands, VK_PIPELINE_BIND_POINT_COMPUTE, job.pipeline->handle);
+  r.bind(VK_PIPELINE_BIND_POINT_COMPUTE, *job.pipeline);
   bind_set(r, VK_PIPELINE_BIND_POINT_COMPUTE, *job.pipeline, 0, job.set);
   if (job.row)
     vkCmdPushConstants(r.commands, job.pipeline->layout, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(uint32_t), &*job.row);
