@@ -175,6 +175,31 @@ Ends ends_of(const Polygon& p, uint32_t i, const std::array<ClipVertex, 3>& v, c
   return {a.moved + side.moved, b.moved + side.moved, side.relative, side.depth};
 }
 
+// A device cuts a triangle at the target's sides into pieces and snaps their corners. One that is snapped past an edge
+// turns its piece over, which then covers what lies beyond that edge, up to as far as the corner was moved: the ends of
+// edges so near a cut are taken for moved as well.
+void widen_near_cuts(const Polygon& p, const Target& t, std::array<Ends, 5>& ends) {
+  double cut = 0;  // the most that a corner on a side is moved, pixels, in any direction
+  std::vector<Point> outline;
+  for (uint32_t i = 0; i < p.count; ++i) {
+    const Corner &a = p.corners[i], &b = p.corners[(i + 1) % p.count];
+    if (!inside_target(a, t) || !inside_target(b, t)) cut = std::max({cut, 1.5 * ends[i].a, 1.5 * ends[i].b});
+    outline.push_back({a.x, a.y});
+  }
+  if (cut == 0) return;
+  const std::vector<Point> drawn = clip_box(outline, t.left, t.top, t.right, t.bottom);
+  for (uint32_t i = 0; i < p.count; ++i) {
+    const Corner &a = p.corners[i], &b = p.corners[(i + 1) % p.count];
+    if (!inside_target(a, t) || !inside_target(b, t)) continue;
+    const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
+    const bool near = std::ranges::any_of(drawn, [&](const Point& d) {
+      const bool is_end = (d.x == a.x && d.y == a.y) || (d.x == b.x && d.y == b.y);
+      return !is_end && std::fabs(dx * (d.y - a.y) - dy * (d.x - a.x)) <= 2 * cut * length;
+    });
+    if (near) ends[i].a = std::max(ends[i].a, cut), ends[i].b = std::max(ends[i].b, cut);
+  }
+}
+
 void set_planes(Shape& s, const std::array<ClipVertex, 3>& v, const Target& t) {
   // Centred on the shape, so that no precision is lost to the distance from the screen's corner.
   s.origin_x = 0.5 * (s.x_first + s.x_end), s.origin_y = 0.5 * (s.y_first + s.y_end);
@@ -297,6 +322,7 @@ Shape shape_of(const std::array<ClipVertex, 3>& v, Facing facing, const Target& 
     s.relative_error = std::max(s.relative_error, ends[i].relative);
     s.z_error = std::max(s.z_error, ends[i].depth);
   }
+  widen_near_cuts(p, t, ends);
   const Area area = area_of(p, moved);
   const double doubt = area.error + 0x1p-48 * std::fabs(area.twice);
   if (area.error == 0 && area.twice == 0) return s;

@@ -224,6 +224,14 @@ std::vector<HardCase> draw_cases() {
            }
          });
        }},
+      {"turned_by_a_cut", "a sliver whose cut corner is snapped past its edge: the piece covers a texel beyond it",
+       [] {
+         return in_middle([](Builder& b) {
+           b.add(cover(kFlat, 0.9), {}, {{0, kFlat}});
+           b.add(flat({{35.768733f, 12.068658f, 0.5f}, {31.959877f, 14.894113f, 0.5f}, {26.917171f, 18.691037f, 0.5f}}),
+                 {}, {{0, kFlat}});
+         });
+       }},
       {"far_coordinates", "corners millions of near distances away: rounding moves the cuts by texels",
        [] {
          return in_middle([](Builder& b) {
