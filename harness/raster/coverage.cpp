@@ -18,6 +18,7 @@ struct PolygonVertex {
   ClipVertex at;
   std::pair<uint32_t, uint32_t> edge;
   bool on_near = false;
+  bool is_cut = false;  // by either plane: none of the triangle's own
 };
 struct Polygon {
   std::array<PolygonVertex, 5> vertices = {};
@@ -35,8 +36,8 @@ Polygon clip(const Polygon& p, double (*distance)(const ClipVertex&), bool near)
     const PolygonVertex &a = p.vertices[i], &b = p.vertices[(i + 1) % p.count];
     const double da = distance(a.at), db = distance(b.at);
     if (da >= 0) out.vertices[out.count++] = a;
-    if (da >= 0 && db < 0) out.vertices[out.count++] = {cut_vertex(a.at, da, b.at, db), {0, 0}, near};
-    if (da < 0 && db >= 0) out.vertices[out.count++] = {cut_vertex(b.at, db, a.at, da), a.edge, near};
+    if (da >= 0 && db < 0) out.vertices[out.count++] = {cut_vertex(a.at, da, b.at, db), {0, 0}, near, true};
+    if (da < 0 && db >= 0) out.vertices[out.count++] = {cut_vertex(b.at, db, a.at, da), a.edge, near, true};
   }
   return out;
 }
@@ -175,15 +176,16 @@ Ends ends_of(const Polygon& p, uint32_t i, const std::array<ClipVertex, 3>& v, c
   return {a.moved + side.moved, b.moved + side.moved, side.relative, side.depth};
 }
 
-// A device cuts a triangle at the target's sides into pieces and snaps their corners. One that is snapped past an edge
+// A device cuts a triangle into pieces and snaps their corners. One that is snapped past an edge
 // turns its piece over, which then covers what lies beyond that edge, up to as far as the corner was moved: the ends of
 // edges so near a cut are taken for moved as well.
 void widen_near_cuts(const Polygon& p, const Target& t, std::array<Ends, 5>& ends) {
-  double cut = 0;  // the most that a corner on a side is moved, pixels, in any direction
+  double cut = 0;  // the most that a corner of a cut and an edge are moved, pixels, in any direction
   std::vector<Point> outline;
   for (uint32_t i = 0; i < p.count; ++i) {
     const Corner &a = p.corners[i], &b = p.corners[(i + 1) % p.count];
     if (!inside_target(a, t) || !inside_target(b, t)) cut = std::max({cut, 1.5 * ends[i].a, 1.5 * ends[i].b});
+    if (p.vertices[i].is_cut) cut = std::max(cut, 1.5 * 2 * a.moved);
     outline.push_back({a.x, a.y});
   }
   if (cut == 0) return;
