@@ -104,6 +104,7 @@ std::vector<std::string> goals_of(const Options& options, const View& view, cons
 }
 
 const View& view_named(const std::string& name) {
+  if (view_names().empty()) throw std::invalid_argument("no view: the kernels of this build draw none");
   const auto* it = std::ranges::find(kViews, name, &View::name);
   if (it == std::end(kViews) || !in_registry(it->needs))
     throw std::invalid_argument(fmt::format("no view '{}'; there are {}", name, fmt::join(view_names(), ", ")));
