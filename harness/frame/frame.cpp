@@ -15,35 +15,12 @@
 #include "harness/frame/hazards.h"
 #include "harness/frame/legend.h"
 #include "harness/frame/record.h"
+#include "harness/frame/views.h"
 
 namespace assay::frame {
 
 namespace {
 
-struct View {
-  const char* name;
-  const char* image;      // the resource that is the picture
-  uint32_t debug;         // kView... of formats/debug_view.h; of no meaning for the lit picture
-  const char* needs;      // a resource that it cannot do without
-  bool of_rates = false;  // that must vary
-};
-constexpr const char* kDebugImage = "debug_view.image";
-// Of the shadow atlas, for a next frame.
-constexpr const char* kShadowStill = "shadow_atlas.still";
-constexpr const char* kShadowDepth = "shadow_atlas.depth";
-constexpr View kViews[] = {
-    {"lit", "resolve.image", kViewCount, "resolve.image"},
-    {"material", kDebugImage, kViewMaterial, kDebugImage},
-    {"triangle", kDebugImage, kViewTriangle, kDebugImage},
-    {"shader", kDebugImage, kViewShader, kDebugImage},
-    {"wave", kDebugImage, kViewWave, "pixel_commands.entries"},
-    {"tile", kDebugImage, kViewTile, "tile_classification.masks"},
-    {"clusters", kDebugImage, kViewClusters, kClusterCells},
-    {"workload", kDebugImage, kViewWorkload, "tile_classification.workload_tiles"},
-    {"rate", kDebugImage, kViewRate, kRates, true},
-    {"primary", kDebugImage, kViewPrimary, kCopyBits, true},
-    {"shadows", kDebugImage, kViewShadows, kShadowDepth},
-};
 constexpr const char* kListStatus = "cluster_lists.list_status";
 // The picture before it is exposed, the one that is shown first.
 constexpr const char* kRadiance[] = {"particles.radiance", "vrcs_deblock.deblocked_radiance",
@@ -78,11 +55,6 @@ struct Prepared {
   Graph graph;
 };
 
-bool in_registry(const std::string& resource) {
-  const std::string kernel = resource.substr(0, resource.find('.'));
-  return std::ranges::find(all_kernels(), kernel, &Kernel::name) != all_kernels().end();
-}
-
 bool varies(const Options& options) { return options.vrcs != "off"; }
 
 // Blended surfaces change it, where there are some and kernels that draw them.
@@ -101,14 +73,6 @@ std::vector<std::string> goals_of(const Options& options, const View& view, cons
     if (in_registry(statistics)) goals.push_back(statistics);
   if (varies(options) && view.debug == kViewCount) goals.emplace_back(luma_of(gathered));
   return goals;
-}
-
-const View& view_named(const std::string& name) {
-  if (view_names().empty()) throw std::invalid_argument("no view: the kernels of this build draw none");
-  const auto* it = std::ranges::find(kViews, name, &View::name);
-  if (it == std::end(kViews) || !in_registry(it->needs))
-    throw std::invalid_argument(fmt::format("no view '{}'; there are {}", name, fmt::join(view_names(), ", ")));
-  return *it;
 }
 
 void require_size(Extent e) {
@@ -257,18 +221,6 @@ void add_radiance(image::Layers& layers, const Bytes& halves) {
 }
 
 }  // namespace
-
-const std::vector<std::string>& view_names() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all;
-    for (const View& v : kViews)
-      if (in_registry(v.needs)) all.emplace_back(v.name);
-    return all;
-  }();
-  return names;
-}
-
-std::string default_view() { return view_names().empty() ? "" : view_names().front(); }
 
 void require(const Options& o) {
   require_size(o.size);
